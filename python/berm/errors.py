@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Errors, with the messages of the program."""
+"""What goes wrong, as the program says it."""
 
 
 class InputError(ValueError):
