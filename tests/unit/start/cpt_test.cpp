@@ -49,7 +49,7 @@ TEST(Cpt, gives_sand_layers_with_an_angle_of_friction_each)
   // 17.6 + 11 log10(1 / sqrt(0.0045)) = 30.5 and 29.8 deg, mean 30.2; then 42.9 and 42.1.
   EXPECT_NE(text.find("friction_angle = \"30.2 deg\""), std::string::npos) << text;
   EXPECT_NE(text.find("[material.sand_2]"), std::string::npos);
-  EXPECT_NE(text.find("# Drained: phi and psi by the sounding; the mass"), std::string::npos);
+  EXPECT_NE(text.find("# Drained: phi and psi by the sounding; inertia"), std::string::npos);
   EXPECT_EQ(text.find("33 deg,"), std::string::npos);
   // psi = (phi - 33 deg) / 0.8: none of 30.2 deg, 11.9 of 42.5.
   EXPECT_NE(text.find("friction_angle = \"30.2 deg\"\ndilation_angle = \"0.0 deg\"\n"), std::string::npos);
