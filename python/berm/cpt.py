@@ -13,8 +13,8 @@ from .program import PathLike, call, default_folder, options
 
 @dataclass(frozen=True)
 class Cpt:
-    """A sounding as layers. layers: those of summary.json, from the seabed down, each with top_m, base_m, zone, soil, and mean and
-    deviation of each quantity, None where there is none. profile: the file of the rows. doubts: what of the sounding is doubted. toml:
+    """Layers of a CPT sounding. layers: those of summary.json, from the seabed down, each with top_m, base_m, zone, soil, and mean and
+    deviation of each quantity, None where there is none. profile: the file of the rows. doubts: warnings about the sounding. toml:
     materials and layers to paste into a case."""
 
     folder: Path

@@ -15,7 +15,7 @@ HALF_WIDTH = 0.01  # of the diameter: forces are means over travel +- this, as i
 
 @dataclass(frozen=True)
 class Push:
-    """The way down by row: pushes before the first drag that load the pipe further. w in m, V in N/m."""
+    """Penetration by row: pushes before the first drag that load the pipe further. w in m, V in N/m."""
 
     w: NDArray[np.float64]
     V: NDArray[np.float64]

@@ -57,7 +57,7 @@ def largest(parts: list[Any]) -> float:
 
 
 def plot_push(shown: Shown, axes: Any) -> None:
-    """V over w of the way down, from the surface on."""
+    """V against w in penetration, from the surface."""
     chart = shown.curves.charts["V_w"]
     curve, bands = chart["curves"][0], [[band[key] for key in ("x", "low", "high")] for band in chart["bands"]]
     w, V, smoothed = (curve[key][curve["x"] >= 0] for key in ("x", "y", "smoothed"))
@@ -82,7 +82,7 @@ def name_of(drag: int, count: int) -> str | None:
 
 
 def plot_drags(shown: Shown, H_axes: Any, w_axes: Any) -> None:
-    """H over u and w over u of all drags; H along x, so that of a drag back it is negative."""
+    """H and w against u of all drags; H along x, so that of a drag back it is negative."""
     length = shown.length.per_si
     for axes, name, per_si in ((H_axes, "H_u", shown.force.per_si), (w_axes, "w_u", length)):
         curves, bands = (shown.curves.charts[name][key] for key in ("curves", "bands"))

@@ -14,7 +14,7 @@ from .program import PathLike, call, default_folder, options, settings
 
 @dataclass(frozen=True)
 class CyclicStrength:
-    """What came of a storm on contours. strength_factor: average and cyclic shear stress at failure over the undrained strength.
+    """Results of a storm on contours. strength_factor: average and cyclic shear stress at failure divided by the undrained strength.
     equivalent_cycles: of the largest load, to failure. load_multiplier: of the cyclic loads, to failure. quantities: all numbers of
     summary.json, NaN where there is none. answer: in words. material: TOML to paste into a case; "" where the input has no material."""
 

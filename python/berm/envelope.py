@@ -27,7 +27,7 @@ class Envelope:
     probes: dict[str, str]
 
     def plot(self) -> Any:
-        """V over H of the probes' ends and of the swipe: a matplotlib Figure. Needs Matplotlib."""
+        """V against H of the probes' ends and of the swipe: a matplotlib Figure. Needs Matplotlib."""
         from .charts_plot import plot_charts
 
         kinds, unit = self.rows["kind"], self.quantities["V_max"].unit
@@ -59,8 +59,8 @@ def envelope(
     """Finds the envelope of the pipe (V and H) or footing (V, H and M) of a case at its position.
 
     folder: where the results go; else where the program puts them. points: directions without rotation, turns: with rotation (0: none).
-    travel: of each probe over the diameter. threads: probes at a time. runner, sbatch, pack, no_wait: on a cluster. A probe that has its
-    result is not run again. Throws InputError, RunError (also where a probe failed) and Stopped."""
+    travel: of each probe divided by the diameter. threads: probes at a time. runner, sbatch, pack, no_wait: on a cluster. A probe that has
+    its result is not run again. Throws InputError, RunError (also where a probe failed) and Stopped."""
     into = Path(folder) if folder is not None else Path("out/envelope") / Path(case).stem
     jobs = options(threads=threads, runner=runner, sbatch=sbatch, pack=pack, no_wait=no_wait)
     own = options(points=points, turns=turns, travel=travel)

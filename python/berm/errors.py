@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What goes wrong, as the program says it."""
+"""Errors, with the messages of the program."""
 
 
 class InputError(ValueError):

@@ -14,9 +14,9 @@ from .program import PathLike, call, default_folder, options, settings
 
 @dataclass(frozen=True)
 class Fit:
-    """What came of a fit. values and errors: in SI units, by key of the material; an error is NaN where the key ended at a bound or is
-    not told. correlation: by pairs of keys. misfit: root of the mean square of computed less measured, over the largest of each curve.
-    doubts: what the tests do not tell. material: TOML to paste into a case."""
+    """Results of a fit. values and errors: in SI units, by key of the material; an error is NaN where the key ended at a bound or is
+    not determined. correlation: by pairs of keys. misfit: root of the mean square of computed less measured, divided by the largest of each
+    curve. doubts: what the tests do not determine. material: TOML to paste into a case."""
 
     folder: Path
     values: dict[str, float]

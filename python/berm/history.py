@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Column:
-    """What is said of a column: its name in the file, its label, SI unit ("1": a bare number; None: text), meaning, and what it is of."""
+    """Description of a column: its name in the file, its label, SI unit ("1": a bare number; None: text), meaning, and what it is of."""
 
     name: str
     label: str
@@ -61,7 +61,7 @@ class History:
         return f"<history: {len(self)} rows of {', '.join(self.columns)}>"
 
     def column(self, name: str) -> Column:
-        """What is said of a column of numbers. Throws InputError, with those that there are."""
+        """Description of a column of numbers. Throws InputError, with those that there are."""
         if name in self._values:
             return self.columns[name]
         for column in self.columns.values():

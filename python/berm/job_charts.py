@@ -13,7 +13,7 @@ from .table import Table
 
 
 class Results(Protocol):
-    """What charts are made of, of a Run."""
+    """Data of the charts of a Run."""
 
     @property
     def curves(self) -> Mapping[str, dict[str, Any]]:
@@ -44,7 +44,7 @@ def axis(symbol: str, unit: str, meaning: str) -> dict[str, str]:
 
 
 def shapes(run: Results) -> dict[str, Any]:
-    """y(x) of a pipeline at the end of each stage, half as far again as it moves by a hundredth of the most."""
+    """y(x) of a pipeline at the end of each stage, to 1.5 times the length that moves by more than a hundredth of the maximum."""
     line = run.line
     last = {stage: time for stage, time in zip(line["stage"], line["time_s"])}
     far = 1.5 * line["x_m"][abs(line["y_m"]) > 0.01 * abs(line["y_m"]).max()].max()
@@ -56,16 +56,16 @@ def shapes(run: Results) -> dict[str, Any]:
 
 
 def half_cycles(run: Results) -> dict[str, Any]:
-    """Size of each half cycle over the time in the record at which it ends."""
+    """Size of each half-cycle against the time in the record at which it ends."""
     cycles = run.half_cycles
     sizes = abs(cycles["u_end_m"] - cycles["u_begin_m"])
-    time = {**TIME, "meaning": "time of the record at the end of the half cycle"}
+    time = {**TIME, "meaning": "time of the record at the end of the half-cycle"}
     curves = [{"name": "half cycles", "x": cycles["end_s"], "y": sizes, "points": True}]
-    return {"chart": "half_cycles", "x": time, "y": axis("|Δu|", "m", "displacement in a half cycle"), "curves": curves}
+    return {"chart": "half_cycles", "x": time, "y": axis("|Δu|", "m", "displacement in a half-cycle"), "curves": curves}
 
 
 def consolidation(run: Results) -> dict[str, Any]:
-    """U over the time since each stage in which the body does not move began."""
+    """U against the time since each stage in which the body does not move began."""
     import numpy as np
 
     curves = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs that go on beside Python: how far they are, stopped and resumed."""
+"""Runs in the background: progress, stop and resume."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ TAIL = 6000  # bytes of the log that are looked at
 
 
 class Progress(NamedTuple):
-    """How far a run is: fraction of all stages (0 to 1), the stage that it is in, time left (s, NaN: not known)."""
+    """Progress of a run: fraction of all stages (0 to 1), the stage that it is in, time left (s, NaN: not known)."""
 
     fraction: float
     stage: str
@@ -35,7 +35,7 @@ class Progress(NamedTuple):
 
 
 def progress_in(log: str) -> Progress | None:
-    """The last line of a log that says how far the run is."""
+    """The last line of a log with the progress of the run."""
     for line in reversed(log.splitlines()):
         if found := LINE.match(line):
             words = (found[3] or "").split()
@@ -45,7 +45,7 @@ def progress_in(log: str) -> Progress | None:
 
 
 class LiveRun:
-    """A run that goes on while Python does something else. It is stopped, with a checkpoint, when its `with` block or the interpreter
+    """A run in the background. It is stopped, with a checkpoint, when its `with` block or the interpreter
     ends."""
 
     def __init__(self, words: Sequence[PathLike], folder: Path, threads: int | None, program: PathLike | None) -> None:
@@ -81,7 +81,7 @@ class LiveRun:
 
     @property
     def progress(self) -> Progress:
-        """How far it is, by its log, which has a line at each new stage, tenth of the way, or half minute."""
+        """Its progress by its log, which has a line at each new stage, tenth of the run, or half minute."""
         if not self.running and self._process.returncode == 0:
             return Progress(1, progress.stage if (progress := self._logged()) else "", 0)
         return self._logged() or Progress(0, "", float("nan"))
@@ -96,7 +96,7 @@ class LiveRun:
 
     @property
     def messages(self) -> list[str]:
-        """What the program has said since the start, by line."""
+        """Messages of the program since the start, by line."""
         size = os.fstat(self._said.fileno()).st_size
         return os.pread(self._said.fileno(), size, 0).decode("utf-8", errors="replace").splitlines()
 
@@ -124,7 +124,7 @@ class LiveRun:
             raise error_of(self._process.returncode, self.messages)
 
     def resume(self) -> LiveRun:
-        """Lets a stopped run go on from its checkpoint, or begin where it had not begun. Throws InputError where it is still running."""
+        """Continues a stopped run from its checkpoint, or starts it where it had not begun. Throws InputError where it is still running."""
         if self.running:
             raise InputError(f"{self.folder}: the run is running")
         if self._process.returncode != -signal.SIGINT:
@@ -138,7 +138,7 @@ RUNNING: list[LiveRun] = []
 
 @atexit.register
 def stop_all() -> None:
-    """No run goes on without the Python that watches it."""
+    """Runs stop when the Python that started them ends."""
     for run in list(RUNNING):
         try:
             run.stop()
@@ -161,7 +161,7 @@ def start(
     no_sandbox: bool = False,
     program: PathLike | None = None,
 ) -> LiveRun:
-    """Starts a run and returns at once, with an object that says how far it is and stops it. Arguments are those of run. Throws InputError
+    """Starts a run and returns at once, with an object that gives its progress and stops it. Arguments are those of run. Throws InputError
     and RunError; what the program refuses is thrown by wait()."""
     more = options(uncertainty=uncertainty, strict=strict, no_programs=no_programs, sandbox=sandbox, no_sandbox=no_sandbox)
     words, into = words_of_run(case, folder, set=set, threads=threads, resume=resume, force=force, more=more)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs: started, and what they leave."""
+"""Runs and their results."""
 
 from __future__ import annotations
 
@@ -130,17 +130,17 @@ class Run:
 
     @cached_property
     def tz(self) -> Table:
-        """t-z curves of bodies with depth_slices that go up or down. Throws RunError where the run has none."""
+        """t-z curves of bodies with depth_slices that move axially. Throws RunError where the run has none."""
         return self.table("tz")
 
     @cached_property
     def py(self) -> Table:
-        """p-y curves of a pile or skirt that is loaded sideways: z_m, u_at_bed_m, y_m, p_N_m. Throws RunError where the run has none."""
+        """p-y curves of a laterally loaded pile or skirt: z_m, u_at_bed_m, y_m, p_N_m. Throws RunError where the run has none."""
         return self.table("py")
 
     @cached_property
     def line(self) -> Table:
-        """A pipeline at each frame, a row a node: time_s, stage, x_m along it, y_m sideways, z_m upwards from where it was laid, u_m along
+        """A pipeline at each frame, a row a node: time_s, stage, x_m along it, y_m lateral, z_m upwards from where it was laid, u_m along
         it, P_N (compression positive), M_Nm, strains. Throws RunError where the run has none."""
         return self.table("line")
 
@@ -175,7 +175,7 @@ class Run:
 
     @cached_property
     def push(self) -> Push:
-        """The way down: w and V of pushes that load the pipe further, by row. Throws InputError where no rigid body is driven."""
+        """Penetration: w and V of pushes that load the pipe further, by row. Throws InputError where no rigid body is driven."""
         import numpy as np
 
         down = [Push(curve["x"], curve["y"]) for curve in self._curves_in("V_w")]

@@ -17,7 +17,7 @@ from .table import Table, read_table
 class Safety:
     """By how much the strength can be divided until the soil fails. factor lies midway between stands, the largest factor at which the soil
     stands, and fails, the smallest at which it fails; NaN where the search did not enclose it. trials: safety.csv, a row a factor.
-    warnings: what makes it doubtful."""
+    warnings: reasons for doubt."""
 
     folder: Path
     factor: float

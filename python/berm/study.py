@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Studies: many runs, and what a sample of them says."""
+"""Studies: many runs, and statistics of a sample of them."""
 
 from __future__ import annotations
 
@@ -42,8 +42,8 @@ class Row:
 
 @dataclass(frozen=True)
 class Estimate:
-    """What a sample says of a measure, in the unit of the study's table: the best run; 5, 50 and 95 % and the mean of the sample (NaN: not
-    known); how many runs have a number, and how many failed."""
+    """Statistics of a measure in a sample, in the unit of the study's table: the best run; 5, 50 and 95 % and the mean of the sample (NaN:
+    not known); how many runs have a number, and how many failed."""
 
     names: tuple[str, ...]
     measure: str
@@ -241,8 +241,8 @@ def study(
 ) -> Study:
     """Runs a study (study.toml or its folder), `threads` runs at a time, and returns it; what has its result already is not run again.
 
-    runner: "slurm", or a command with {jobs}, the file of one command a line; sbatch: options of Slurm; pack: runs a task of Slurm;
-    no_wait: hands the runs over and returns, and the same call later collects their results. Throws InputError, RunError (also where a row
+    runner: "slurm", or a command with {jobs}, the file with one command per line; sbatch: options of Slurm; pack: runs per Slurm task;
+    no_wait: submits the runs and returns, and the same call later collects their results. Throws InputError, RunError (also where a row
     failed: open(folder) has the others) and Stopped."""
     jobs = options(threads=threads, runner=runner, sbatch=sbatch, pack=pack, no_wait=no_wait)
     call(["study", file, "-o", folder, *jobs], quiet=quiet, program=program)

@@ -98,7 +98,7 @@ void CaseOptions::take_sandbox(CLI::App& command)
   command
       .add_flag_callback(
           "--no-sandbox", [] { ::setenv(sandbox::trust_variable, "1", 1); },
-          "let a geometry (.geo) or a library do whatever you may; as does BERM_NO_SANDBOX=1 in the environment, for studies too")
+          "give a geometry (.geo) or a library all of your rights; so does BERM_NO_SANDBOX=1 in the environment, for studies too")
       ->excludes(with);
 }
 
@@ -125,10 +125,10 @@ void CaseOptions::take_runner(CLI::App& command)
 {
   command.add_option(
       "--runner", runner_words,
-      "how the cases run: slurm, or a command with {jobs}, the file of one command a line (default: processes on this machine)");
+      "how the cases run: slurm, or a command with {jobs}, the file with one command per line (default: processes on this machine)");
   command.add_option("--sbatch", sbatch, "options for sbatch: \"--partition=long --time=8:00:00\"");
-  command.add_option("--pack", pack, "runs a task of Slurm (default: 1)")->check(whole_number_within(1, 1000000));
-  command.add_flag("--no-wait", no_wait, "hand the runs over and end; the same command collects their results later");
+  command.add_option("--pack", pack, "number of runs per Slurm task (default: 1)")->check(whole_number_within(1, 1000000));
+  command.add_flag("--no-wait", no_wait, "submit the runs and exit; the same command collects their results later");
 }
 
 jobs::Runner CaseOptions::runner() const

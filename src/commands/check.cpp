@@ -210,7 +210,8 @@ Command add_check(CLI::App& program)
   const auto options = std::make_shared<CaseOptions>();
   const auto json = std::make_shared<bool>(false);
   CLI::App* app = program.add_subcommand(
-      "check", "validate a case and print what a run would take; gmsh runs the geometry (.geo) that it names, and its laws are loaded");
+      "check",
+      "validate a case and estimate time, memory and disk of a run; gmsh runs the geometry (.geo) that it names, and its laws are loaded");
   options->take_cases(*app);
   options->take_stdin(*app);
   options->take_threads(*app);

@@ -3,6 +3,7 @@
 #include "commands/commands.hpp"
 
 #include "commands/command.hpp"
+#include "commands/option_values.hpp"
 #include "core/ranks.hpp"
 #include "input/message_text.hpp"
 #include "io/atomic_file.hpp"
@@ -21,6 +22,7 @@
 #include <cstdlib>
 #include <exception>
 #include <fmt/format.h>
+#include <memory>
 #include <new>
 #include <sstream>
 
@@ -52,21 +54,23 @@ std::string words_of(const CLI::App& app, const CLI::ParseError& error, int argc
     if (word.starts_with("--") && word.size() > 2 && std::find(options.begin(), options.end(), word) == options.end())
       return fmt::format("unknown option {}{}", input::in_quotes(word), input::suggestion(word, options));
   }
-  return error.what();
+  return in_words(error);
 }
 
 /// Only what computes one problem at a time is done by several ranks.
 void refuse_ranks(const std::string& command)
 {
   if (Ranks::of_run().count() > 1 && command != "run" && command != "check")
-    throw InputError(fmt::format("an MPI launcher started {} processes of berm {}, which is for one: start it without the launcher",
-                                 Ranks::of_run().count(), command));
+    throw InputError(
+        fmt::format("an MPI launcher started {} processes of berm {}, which runs as one process: start it without the launcher",
+                    Ranks::of_run().count(), command));
 }
 
 int dispatch(int argc, char** argv)
 {
   CLI::App app("berm pushes a pipe or cable into the seabed, drags it sideways, and computes how the soil responds.", "berm");
   app.footer("A command explains itself: berm run --help. A first run: berm run examples/bar/case.toml");
+  app.formatter(std::make_shared<Help>());
   app.set_version_flag("--version", "berm " + io::version_words());
   app.require_subcommand(1);
   std::vector<Command> commands;
@@ -108,7 +112,7 @@ int status_of_command(int argc, char** argv, std::string& why)
     why = error.what();
     return 2;
   } catch (const Interrupted& error) {
-    why = fmt::format("{}; the same command begins anew", error.what());
+    why = fmt::format("{}; the same command starts again", error.what());
     return status_of(jobs::Outcome::unfinished);
   } catch (const std::bad_alloc&) {
     throw;
@@ -121,7 +125,7 @@ int status_of_command(int argc, char** argv, std::string& why)
 /// To say so may take no memory.
 void say_without_memory()
 {
-  std::fputs("berm: the machine has no more memory for this; berm check CASE prints how much a run needs\n", stderr);
+  std::fputs("berm: out of memory; berm check CASE prints how much a run needs\n", stderr);
 }
 
 volatile std::sig_atomic_t memory_failed = 0;

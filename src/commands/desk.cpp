@@ -62,17 +62,18 @@ Command add_desk(CLI::App& program)
   app->add_option("FOLDER", options->folder, "the folder; nothing outside of it is shown or written (default: here)");
   app->add_option("--port", options->listen.port, "port (default: one that is free)")->check(whole_number_within(1, 65535));
   app->add_option("--listen", options->listen.address,
-                  "address of this machine that it listens at (default: 127.0.0.1); 0.0.0.0 in a container whose port is forwarded")
-      ->check(CLI::Validator([](std::string& word) { return is_address(word) ? std::string() : "an address is four numbers, as 0.0.0.0"; },
-                             "ADDRESS"));
-  app->add_option("--threads", options->threads, "threads of all runs together; more wait (default: all processors)")
+                  "address of this machine to listen on (default: 127.0.0.1); 0.0.0.0 in a container whose port is forwarded")
+      ->check(CLI::Validator(
+          [](std::string& word) { return is_address(word) ? std::string() : "an address is four numbers, such as 0.0.0.0"; }, "ADDRESS"));
+  app->add_option("--threads", options->threads, "threads of all runs together; further runs wait (default: all processors)")
       ->check(whole_number_within(1, 1024));
-  app->add_option("--name", options->proxy.name, "host of a proxy in front of it, which requests may name, too: no port (default: none)")
+  app->add_option("--name", options->proxy.name,
+                  "host name of a proxy in front of it, without port, which requests may also use (default: none)")
       ->check(CLI::Validator(
-          [](std::string& word) { return is_host_name(word) ? std::string() : "a name of a host has letters, digits, . and -"; }, "HOST"));
-  app->add_option("--prefix", options->proxy.prefix, "what a proxy puts before addresses, as /berm (default: nothing)")
+          [](std::string& word) { return is_host_name(word) ? std::string() : "a host name has letters, digits, . and -"; }, "HOST"));
+  app->add_option("--prefix", options->proxy.prefix, "path prefix of a proxy, such as /berm (default: none)")
       ->check(CLI::Validator(
-          [](std::string& word) { return is_prefix(word) ? std::string() : "a prefix is as /berm: letters, digits, _ and -"; }, "/WORD"));
+          [](std::string& word) { return is_prefix(word) ? std::string() : "a prefix is like /berm: letters, digits, _ and -"; }, "/WORD"));
   app->add_flag("--no-browser", options->no_browser, "print the address and open no browser");
   return {app, [options] {
             messages_to_stderr();

@@ -30,13 +30,13 @@ Command add_envelope(CLI::App& program)
       ->check(whole_number_within(2, 50));
   app->add_option("--turns", options->how.turns, "of a footing: directions with rotation, and swipes with it (default: 5; 0: V-H only)")
       ->check(whole_number_within(0, 50));
-  app->add_option("--travel", options->how.travel, "travel of each probe over the diameter (default: 0.1)")
+  app->add_option("--travel", options->how.travel, "travel of each probe divided by the diameter (default: 0.1)")
       ->check(number_within({1e-3, 1}));
   return {app, [options] {
             catch_interrupts();
             messages_to_stderr();
             if (options->files.size() > 1)
-              throw InputError(fmt::format("an envelope is for one case, and here are {}", options->files.size()));
+              throw InputError(fmt::format("an envelope is for one case, and {} are given", options->files.size()));
             const std::filesystem::path file = options->files[0], folder = options->output.empty()
                                                                                ? std::filesystem::path("out/envelope") / file.stem()
                                                                                : std::filesystem::path(options->output);

@@ -93,7 +93,7 @@ std::vector<Job> jobs_of(Options& options)
   std::vector<Job> jobs;
   for (const std::string& from : options.folders) {
     if (!fs::is_directory(from))
-      throw InputError(fmt::format("{} is no folder: berm export takes run folders and outputs of berm study", from));
+      throw InputError(fmt::format("{} is not a folder: berm export takes run folders and outputs of berm study", from));
     for (Job& job : jobs_from(from, options)) {
       job.chosen = options.output.empty();
       job.folder = job.chosen ? fs::path(from) / "export" : fs::path(options.output);
@@ -143,7 +143,7 @@ Command add_export(CLI::App& program)
     }
   };
   list(springs::formats), list(springs::line_formats);
-  names.emplace_back(xlsx), words += "; xlsx: the numbers and all tables of a folder of any command, a sheet a table";
+  names.emplace_back(xlsx), words += "; xlsx: the numbers and all tables of a folder of any command, one sheet per table";
   app->add_option("--to", options->format, words + " (default: table)")->check(one_of(names));
   app->add_option("--units", options->units, "of --to xlsx: SI, or imperial (ft, lbf, lbf/ft ...) (default: SI)")
       ->check(one_of({"SI", imperial}));
@@ -156,10 +156,10 @@ Command add_export(CLI::App& program)
   CLI::Option* ratio = app->add_option("--strength-ratio", clay.strength_ratio,
                                        "s_u/sigma'_v of the normally consolidated clay at the pipe: axial resistance after consolidation")
                            ->check(number_within({0.01, 2}));
-  app->add_option("--ocr-exponent", clay.exponent, "m of OCR^m in it, OCR by V of the flooded pipe (default: 0)")
+  app->add_option("--ocr-exponent", clay.exponent, "its exponent m of OCR^m, with OCR from V of the flooded pipe (default: 0)")
       ->needs(ratio)
       ->check(number_within({0, 2}));
-  app->add_option("--consolidation", clay.consolidation, "degree of consolidation U in it (default: 1)")
+  app->add_option("--consolidation", clay.consolidation, "its degree of consolidation U (default: 1)")
       ->needs(ratio)
       ->check(number_within({0, 1}));
   app->add_option("--interface-angle", options->interface_degrees,

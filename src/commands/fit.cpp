@@ -84,7 +84,7 @@ Command add_fit(CLI::App& program)
   app->add_flag("--undrained", options->usual.undrained, "of LAW TESTS.csv: the tests are undrained");
   app->add_flag("--extension", options->usual.extends, "of LAW TESTS.csv: the tests are in extension");
   app->add_option("--k0", options->usual.k0,
-                  "of LAW TESTS.csv: horizontal over vertical stress at the start of an oedometer or simple shear test");
+                  "of LAW TESTS.csv: ratio of horizontal to vertical stress at the start of an oedometer or simple shear test");
   app->add_option("--diameter", options->usual.diameter, "of LAW TESTS.csv --kind t_bar or ball: diameter of the tool, such as \"40 mm\"");
   app->add_option("-o,--output", options->common.output,
                   "folder for the results (default: out/FOLDER/NAME of the input or of the last file)");

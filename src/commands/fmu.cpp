@@ -40,7 +40,7 @@ Command add_fmu(CLI::App& program)
   const auto options = std::make_shared<CaseOptions>();
   CLI::App* app = program.add_subcommand(
       "fmu",
-      "write the slice of soil of a case as functional mock-up units, FMI 2.0 and 3.0, which co-simulations drive in its last stage");
+      "write the soil slice of a case as functional mock-up units, FMI 2.0 and 3.0, whose pipe a co-simulation moves in the last stage");
   options->take_cases(*app);
   app->add_option("-o,--output", options->output,
                   "NAME of NAME.fmi2.fmu and NAME.fmi3.fmu; of several cases: the folder that theirs go into (default: out/FOLDER/NAME "

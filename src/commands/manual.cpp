@@ -85,7 +85,7 @@ std::string page(const std::string& name, const std::string& description, const 
       ".\\\" SPDX-License-Identifier: BSD-3-Clause\n.TH {} 1 \"\" \"berm {}\" \"berm\"\n.SH NAME\n{} \\- {}\n.SH SYNOPSIS\n{}\n{}"
       ".SH EXIT STATUS\n.TP\n.B 0\ndone\n.TP\n.B 1\nthe run failed\n.TP\n.B 2\nthe input is wrong\n.TP\n.B 75\nstopped with a checkpoint, "
       "from which "
-      "\\fBberm run \\-\\-resume\\fR goes on\n",
+      "\\fBberm run \\-\\-resume\\fR continues it\n",
       upper(name), BERM_VERSION, roff(name), roff(description), synopsis, body);
 }
 

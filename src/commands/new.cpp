@@ -118,7 +118,7 @@ void write_case(const NewOptions& options)
   if (!options.soil.empty()) text = start::with_soil(kind, text, options.soil);
   if (!options.cpt.empty()) text = with_sounding(options, kind, text);
   const fs::path path = options.file.empty() ? fs::path(kind.name + ".toml") : fs::path(options.file);
-  if (fs::exists(fs::symlink_status(path))) throw InputError(fmt::format("{} is there already: name another file", path.string()));
+  if (fs::exists(fs::symlink_status(path))) throw InputError(fmt::format("{} already exists: name another file", path.string()));
   io::write_atomically(path, schema_line() + text);
   fmt::print("{0} is written. Change what is marked with <-, then\n  berm check {0}\n  berm run {0} -o out/{1}\n  berm report out/{1}\n",
              path.string(), path.stem().string());

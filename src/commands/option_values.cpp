@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
+#include <regex>
+#include <set>
+#include <utility>
 
 namespace berm::commands {
 namespace {
@@ -16,6 +19,22 @@ std::string refusal(const std::string& text, const std::string& allowed)
 {
   const std::string fault = input::fault_of_commas(text);
   return fmt::format("{} {}; allowed: {}", input::in_quotes(text), fault.empty() ? "is not allowed" : fault, allowed);
+}
+
+/// TEXT, {table,json} of TEXT:{table,json}, and <a number from 5 to 30> of FLOAT:a number from 5 to 30.
+std::string value_words(const std::string& type)
+{
+  const auto colon = type.find(':');
+  const std::string allowed = colon == std::string::npos ? type : type.substr(colon + 1);
+  return allowed.find(' ') == std::string::npos ? allowed : "<" + allowed + ">";
+}
+
+std::string names_of(const std::set<CLI::Option*>& options)
+{
+  std::vector<std::string> names;
+  for (const CLI::Option* option : options) names.push_back(option->get_name());
+  std::sort(names.begin(), names.end());
+  return text_of_list(names, ", ");
 }
 
 }  // namespace
@@ -50,6 +69,33 @@ CLI::Validator one_of(const std::vector<std::string>& words)
                        : fmt::format("{} is not allowed{}", input::in_quotes(text), input::suggestion(text, words));
           },
           fmt::format("{{{}}}", text_of_list(words, ","))};
+}
+
+std::string Help::make_option_opts(const CLI::Option* option) const
+{
+  if (option->get_type_size() == 0) return option->get_excludes().empty() ? "" : " (not with " + names_of(option->get_excludes()) + ")";
+  std::string words = " " + value_words(option->get_type_name());
+  if (option->get_expected_max() == CLI::detail::expected_max_vector_size) words += " ...";
+  if (!option->get_needs().empty()) words += " (with " + names_of(option->get_needs()) + ")";
+  if (!option->get_excludes().empty()) words += " (not with " + names_of(option->get_excludes()) + ")";
+  return words;
+}
+
+std::string in_words(const CLI::ParseError& error)
+{
+  static const std::pair<std::regex, const char*> sentences[] = {
+      {std::regex("(\\S+): \\d+ required (?:TEXT|INT|FLOAT) missing"), "$1: needs a value"},
+      {std::regex("(\\S+): \\d+ required (?:TEXT:|INT:|FLOAT:)?(.*) missing"), "$1: needs a value; allowed: $2"},
+      {std::regex("(\\S+): At Most 1 required but received \\d+"), "$1: is given more than once"},
+      {std::regex("(\\S+) was given a disallowed flag override"), "$1: takes no value"},
+      {std::regex("(\\S+) excludes (\\S+)"), "$1: cannot be combined with $2"},
+      {std::regex("(\\S+) requires (\\S+)"), "$1: needs $2"},
+      {std::regex("(\\S+) is required"), "$1 is missing"},
+      {std::regex("The following arguments? (?:was|were) not expected: (.*)"), "unexpected argument: $1"}};
+  const std::string said = error.what();
+  for (const auto& [pattern, words] : sentences)
+    if (std::regex_match(said, pattern)) return std::regex_replace(said, pattern, words);
+  return said;
 }
 
 }  // namespace berm::commands

@@ -26,9 +26,9 @@ constexpr Schema schemas[] = {{"case", "A case of berm", input::case_catalogue},
                               {"fit", "A fit of berm", soil_fit::fit_catalogue},
                               {"cyclic", "A storm on contours, of berm", cyclic::cyclic_catalogue},
                               {"sea", "A sea state on a pipe, of berm", sea::sea_catalogue},
-                              {"route", "A line along a route, of berm", route::route_catalogue},
+                              {"route", "A pipeline along a route, of berm", route::route_catalogue},
                               {"study", "A study of berm", study::study_catalogue},
-                              {"expected", "Numbers that runs of berm are expected to give", expectations::expected_catalogue}};
+                              {"expected", "Expected values of runs of berm", expectations::expected_catalogue}};
 
 int print_schema(const std::string& of)
 {

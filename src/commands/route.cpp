@@ -57,7 +57,7 @@ std::string along_route(const CaseOptions& options, const std::string& text, con
 Command add_route(CLI::App& program)
 {
   return add_page_command(program, {.name = "route",
-                                    .meaning = "springs of a line by KP, and whether it buckles sideways or comes up",
+                                    .meaning = "springs of a pipeline by KP, and screening for lateral and upheaval buckling",
                                     .input = "an input FILE.toml: pipe, operation and the soils along the route",
                                     .page = route::page_file,
                                     .make = along_route});

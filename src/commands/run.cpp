@@ -65,7 +65,7 @@ Outcome run_cases(const std::vector<simulation::RunRequest>& all, const CaseOpti
 /// Says of runs that the user stopped before their bands were made how to go on.
 Outcome without_bands(Outcome outcome)
 {
-  if (interrupted()) io::warn("the bands of the results are not made: resume with berm run --resume FOLDER --uncertainty");
+  if (interrupted()) io::warn("the bands of the results are not computed: resume with berm run --resume FOLDER --uncertainty");
   return outcome;
 }
 
@@ -215,7 +215,7 @@ Command add_run(CLI::App& program)
   app->add_flag(
       "--uncertainty", options->uncertainty,
       "also run each case on other cells and at another speed, and give its results at zero cell size with 95 % bands; berm check "
-      "says what that takes");
+      "estimates the time");
   app->add_flag("--strict", options->strict, "end with status 1 where the answer of a run is invalid, as its summary.json says");
   app->callback([options] {
     if (options->files.empty() && options->unfinished.empty()) throw CLI::RequiredError("CASE or --resume");

@@ -18,7 +18,7 @@ void check_search(const safety::SearchSettings& how)
 {
   if (!(how.low < how.high))
     throw InputError(
-        fmt::format("--low {} is not below --high {}: the search starts between them, the smaller one first", how.low, how.high));
+        fmt::format("--low {} is not below --high {}: the search starts between them, with --low the smaller", how.low, how.high));
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ Command add_safety(CLI::App& program)
             catch_interrupts();
             messages_to_stderr();
             if (options->files.size() > 1)
-              throw InputError(fmt::format("a factor of safety is for one case, and here are {}", options->files.size()));
+              throw InputError(fmt::format("a factor of safety is for one case, and {} are given", options->files.size()));
             check_search(options->how);
             const std::filesystem::path file = options->files[0];
             const std::filesystem::path folder =

@@ -29,7 +29,7 @@ Command add_verify(CLI::App& program)
   app->add_option("--chapter", options->problems.chapter,
                   fmt::format("one chapter of the book: {}", text_of_list(expectations::chapter_words, ", ")));
   app->add_flag("--force", options->force, "rerun problems that have a result already");
-  app->add_flag("--quote", options->quote, "put the numbers of the runs into the pages that quote them");
+  app->add_flag("--quote", options->quote, "update the numbers of the runs in the pages that quote them");
   app->add_option("--examples", options->problems.examples, "folder of the examples (default: examples)");
   app->add_option("-o,--output", options->output, "folder for the book and its runs (default: out/verification)");
   options->take_jobs(*app);

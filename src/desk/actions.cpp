@@ -24,7 +24,7 @@ std::string plain_word(const std::string& word, const char* key)
   const bool right = !word.empty() && word.size() < 200 && std::isalnum(static_cast<unsigned char>(word[0])) != 0 &&
                      std::all_of(word.begin(), word.end(),
                                  [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-' || c == ',' || c == '.'; });
-  if (!right) throw Refusal(400, fmt::format("{} is no word for \"{}\"", one_line(word), key), {{"key", key}});
+  if (!right) throw Refusal(400, fmt::format("{} is not allowed for \"{}\"", one_line(word), key), {{"key", key}});
   return word;
 }
 
@@ -34,7 +34,8 @@ void append_options(std::vector<std::string>& words, const Json& body, const std
   for (const char* key : keys) {
     const auto found = body.find(key);
     if (found == body.end() || found->is_null()) continue;
-    if (!found->is_string() && !found->is_number()) throw Refusal(400, fmt::format("\"{}\" is no text and no number", key), {{"key", key}});
+    if (!found->is_string() && !found->is_number())
+      throw Refusal(400, fmt::format("\"{}\" is neither text nor a number", key), {{"key", key}});
     words.insert(words.end(), {fmt::format("--{}", key), found->is_string() ? plain_word(found->get<std::string>(), key) : found->dump()});
   }
 }
@@ -87,7 +88,7 @@ std::string sounding_name(const std::string& name)
   std::replace_if(
       plain.begin(), plain.end(), [](unsigned char c) { return std::isalnum(c) == 0 && c != '.' && c != '_' && c != '-'; }, '_');
   if (plain.size() > 100 || plain.starts_with('-') || fs::path(plain).stem().empty() || plain.find_first_not_of('.') == std::string::npos)
-    throw Refusal(400, fmt::format("{} is no name of a file", one_line(name)), {{"key", "cpt"}});
+    throw Refusal(400, fmt::format("{} is not a name of a file", one_line(name)), {{"key", "cpt"}});
   return plain;
 }
 
@@ -95,7 +96,7 @@ std::string sounding_name(const std::string& name)
 std::string location_option(const std::string& location)
 {
   if (location.size() > 200 || has_control_character(location))
-    throw Refusal(400, fmt::format("{} is no location", one_line(location)), {{"key", "location"}});
+    throw Refusal(400, fmt::format("{} is not a location", one_line(location)), {{"key", "location"}});
   return "--location=" + location;
 }
 
@@ -225,7 +226,7 @@ std::vector<std::string> Actions::runs_in(const Json& body) const
   std::vector<std::string> runs;
   for (const std::string& name : texts_in(body, "runs")) {
     const fs::path folder = folder_.inside(name);
-    if (folder == folder_.root() || !fs::is_directory(folder)) throw Refusal(404, fmt::format("{} is no folder of runs", name));
+    if (folder == folder_.root() || !fs::is_directory(folder)) throw Refusal(404, fmt::format("{} is not a folder of runs", name));
     folder_.refuse_links_out(folder);
     runs.push_back(folder_.name_of(folder));
   }

@@ -40,7 +40,7 @@ long number(const Request& request, const char* key, long otherwise)
   long value = otherwise;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (!word.empty() && (error != std::errc() || end != word.data() + word.size() || value < -1))
-    throw Refusal(400, fmt::format("{} is no number", key));
+    throw Refusal(400, fmt::format("{} is not a number", key));
   return value;
 }
 

@@ -56,7 +56,7 @@ std::string notes_of(const Folder& folder, const fs::path& run)
 
 void write_notes(const Folder& folder, const fs::path& run, const std::string& text)
 {
-  if (text.size() > longest_notes) throw Refusal(413, fmt::format("notes have {} letters at most", longest_notes));
+  if (text.size() > longest_notes) throw Refusal(413, fmt::format("notes have at most {} characters", longest_notes));
   const fs::path file = run / notes_file;
   if (fs::is_symlink(fs::symlink_status(file))) throw Refusal(403, fmt::format("{} is a link", folder.name_of(file)));
   if (text.empty())

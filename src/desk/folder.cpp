@@ -99,7 +99,7 @@ void check_name(const std::string& name)
   const auto refuse = [&](const char* why) { throw Refusal(403, fmt::format("the path {} {}", one_line(name), why)); };
   if (name.size() > longest_name) throw Refusal(403, "the path is too long");
   if (has_control_character(name)) refuse("has control characters");
-  if (!is_utf8(name)) throw Refusal(403, "the path is no UTF-8");
+  if (!is_utf8(name)) throw Refusal(403, "the path is not UTF-8");
   if (name.starts_with('/')) refuse("is not relative to the folder");
   for (const fs::path& part : fs::path(name)) {
     if (part == "..") refuse("has ..");
@@ -115,7 +115,7 @@ Folder::Folder(const fs::path& root)
 {
   std::error_code none;
   root_ = fs::canonical(root, none);
-  if (none || !fs::is_directory(root_)) throw InputError(fmt::format("{} is no folder", root.string()));
+  if (none || !fs::is_directory(root_)) throw InputError(fmt::format("{} is not a folder", root.string()));
 }
 
 fs::path Folder::inside(const std::string& name) const
@@ -152,7 +152,7 @@ void Folder::refuse_links_out(const fs::path& inner) const
 fs::path Folder::input(const std::string& name) const
 {
   const fs::path path = inside(name);
-  if (path.extension() != ".toml") throw Refusal(403, fmt::format("{} is no .toml file", name));
+  if (path.extension() != ".toml") throw Refusal(403, fmt::format("{} is not a .toml file", name));
   return path;
 }
 
@@ -172,7 +172,7 @@ std::string Folder::name_of(const fs::path& path) const
 Json Folder::contents(const std::string& name) const
 {
   const fs::path folder = inside(name);
-  if (!fs::is_directory(folder)) throw Refusal(404, fmt::format("{} is no folder", name));
+  if (!fs::is_directory(folder)) throw Refusal(404, fmt::format("{} is not a folder", name));
   Json cases = Json::array(), studies = Json::array(), tests = Json::array(), runs = Json::array(), folders = Json::array();
   std::vector<fs::path> entries;
   for (const auto& entry : fs::directory_iterator(folder, fs::directory_options::skip_permission_denied))
@@ -227,7 +227,7 @@ Json Folder::write(const std::string& name, const Json& body) const
   const fs::path file = input(name);
   const std::string text = text_in(body, "text"), mark = text_in(body, "modified", "");
   const bool there = fs::exists(fs::symlink_status(file));
-  if (there && !fs::is_regular_file(file)) throw Refusal(403, fmt::format("{} is no file", name));
+  if (there && !fs::is_regular_file(file)) throw Refusal(403, fmt::format("{} is not a file", name));
   if (there ? mark != io::sha256_of(io::read_text_file(file, most_bytes_of_body)) : !mark.empty())
     throw Refusal(409, name + (mark.empty() ? " already exists" : " was changed by another program"));
   if (there && is_protected(file)) throw Refusal(403, fmt::format("{} is write-protected", name));

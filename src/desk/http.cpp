@@ -51,10 +51,10 @@ Json json_of(const std::string& text)
   };
   try {
     Json json = Json::parse(text, not_too_deep);
-    if (!json.is_object()) throw Refusal(400, "the body is no JSON object");
+    if (!json.is_object()) throw Refusal(400, "the body is not a JSON object");
     return json;
   } catch (const Json::exception&) {
-    throw Refusal(400, "the body is no JSON");
+    throw Refusal(400, "the body is not JSON");
   }
 }
 
@@ -122,24 +122,24 @@ Head head_of(MHD_Connection* client, const char* method, const char* path)
     throw Refusal(431, fmt::format("the lines of the request have more than {} bytes", longest_head));
   Head head{method, path, {}, {}};
   for (const auto& [name, value] : words_of(client, MHD_GET_ARGUMENT_KIND))
-    if (!head.query.emplace(name, value).second) throw Refusal(400, fmt::format("the address says {} twice", one_line(name)));
+    if (!head.query.emplace(name, value).second) throw Refusal(400, fmt::format("the address gives {} twice", one_line(name)));
   for (const auto& [name, value] : words_of(client, MHD_HEADER_KIND)) {
     if (name.empty() || std::any_of(name.begin(), name.end(), [](unsigned char c) { return std::isgraph(c) == 0; }) ||
         std::any_of(value.begin(), value.end(), [](unsigned char c) { return std::iscntrl(c) != 0 && c != '\t'; }))
-      throw Refusal(400, "a line of the request is no NAME: VALUE");
+      throw Refusal(400, "a line of the request is not NAME: VALUE");
     head.fields.emplace(in_small_letters(name), value.substr(0, value.find_last_not_of(" \t") + 1));
   }
   for (const char* once : {"authorization", "content-length", "content-type", "origin"})
-    if (head.fields.count(once) > 1) throw Refusal(400, fmt::format("the request says {} twice", once));
+    if (head.fields.count(once) > 1) throw Refusal(400, fmt::format("the request gives {} twice", once));
   return head;
 }
 
 /// Throws Refusal where the body that follows cannot be taken.
 void check_size_of_body(const Head& head)
 {
-  if (head.has("transfer-encoding")) throw Refusal(411, "the request does not say beforehand how long its body is");
+  if (head.has("transfer-encoding")) throw Refusal(411, "the request does not give the length of its body");
   const std::string digits = head.field("content-length");
-  if (digits.find_first_not_of("0123456789") != std::string::npos) throw Refusal(400, "the length of the body is no number");
+  if (digits.find_first_not_of("0123456789") != std::string::npos) throw Refusal(400, "the length of the body is not a number");
   if (digits.size() > 9 || (!digits.empty() && std::stoul(digits) > most_bytes_of_body))
     throw Refusal(413, fmt::format("the body has more than {} bytes", most_bytes_of_body));
 }
@@ -206,7 +206,7 @@ struct HttpServer::Parts {
     if (head.fields.count("host") != 1 || (!by_proxy && !is_host(host, {"127.0.0.1", "localhost", "[::1]"})))
       throw Refusal(403, "this server answers to 127.0.0.1, localhost and [::1] only: open the address that berm desk prints");
     if (head.has("origin") && origin != "http://" + host && !(by_proxy && origin == "https://" + host))
-      throw Refusal(403, "a page from elsewhere asks");
+      throw Refusal(403, "the request comes from a page of another site");
     if (head.method != "GET" && head.method != "POST" && head.method != "PUT") throw Refusal(405, "only GET, POST and PUT are answered");
     if (head.path.size() > longest_path) throw Refusal(404, "there is no such address");
     if (!head.is_api()) {

@@ -38,7 +38,7 @@ CommandOutput Questions::ask(const Question& question)
     last->second.reset();
   }
   ended_.wait(lock, [&] { return free_ > 0 || ending_; });
-  if (ending_) throw Refusal(503, "berm desk ends");
+  if (ending_) throw Refusal(503, "berm desk is closing");
   --free_;
   const fs::path place = scratch_.path() / std::to_string(number_++), messages = place / "messages";
   int in = -1, out = -1;
@@ -83,7 +83,7 @@ CommandOutput Questions::ask(const Question& question)
     const auto last = about_.find(question.about);
     const bool stands = last == about_.end() || last->second == process;
     if (last != about_.end() && stands) about_.erase(last);
-    if (!stands) throw Refusal(409, "a later request took the place of this one");
+    if (!stands) throw Refusal(409, "replaced by a later request");
     if (std::chrono::steady_clock::now() - begin > longest) throw Refusal(504, fmt::format("berm {} took too long", question.words[0]));
     leave();
     return told;

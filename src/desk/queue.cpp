@@ -37,7 +37,7 @@ MessagesFile::MessagesFile(const Work& work) : path_(work.messages())
   } catch (const RunError& error) {
     throw Refusal(409, error.what());
   }
-  if (file_ < 0) throw Refusal(409, fmt::format("{} is being filled by a command of another desk", work.name));
+  if (file_ < 0) throw Refusal(409, fmt::format("{} is being written by a command of another desk", work.name));
 }
 
 /// Of work that never began no empty file is left.
@@ -72,7 +72,7 @@ void Queue::add(Work work)
   const std::lock_guard lock(mutex_);
   const auto same = [&](const Entry& entry) { return entry.work.name == work.name; };
   if (std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) { return same(entry) && at_work(entry); }))
-    throw Refusal(409, fmt::format("{} is being filled", work.name));
+    throw Refusal(409, fmt::format("{} is being written", work.name));
   if (std::count_if(entries_.begin(), entries_.end(), at_work) >= most_at_work) throw Refusal(409, "the queue is full");
   messages_.erase(work.name);
   messages_.try_emplace(work.name, work);

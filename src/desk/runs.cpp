@@ -54,7 +54,7 @@ std::pair<WorkState, std::string> state_at_rest(const Folder& folder, const fs::
   try {
     for (const char* read : {"summary.json", "run.log", "checkpoint"}) folder.real(run / read);
     const auto summary = run_folder::read_summary(run);
-    if (!summary) return {WorkState::stopped, "It did not come to its end: it was killed, or it crashed."};
+    if (!summary) return {WorkState::stopped, "The run did not finish: it was killed, or it crashed."};
     if (summary->finished()) return {WorkState::finished, ""};
     const record::LoggedEnd end = record::logged_end(run);
     return {end.stopped && simulation::has_checkpoint(run) ? WorkState::stopped : WorkState::failed, end.words};
@@ -95,7 +95,7 @@ std::vector<std::string> changes_in(const Json& body)
                        change.size() < 10000 && !has_control_character(change) && std::all_of(key.begin(), key.end(), [](unsigned char c) {
                          return std::isalnum(c) != 0 || c == '_' || c == '.' || c == '-' || c == '*' || c == '[' || c == ']';
                        });
-    if (!right) throw Refusal(400, fmt::format("{} is no change KEY=VALUE", one_line(change)), {{"key", "set"}});
+    if (!right) throw Refusal(400, fmt::format("{} is not KEY=VALUE", one_line(change)), {{"key", "set"}});
     words.insert(words.end(), {"--set", change});
   }
   return words;
@@ -149,7 +149,7 @@ Work Runs::work_of(const Json& body, const std::set<fs::path>& taken)
   if (body.contains("resume")) {
     work.folder = folder_.run(text_in(body, "resume"));
     folder_.refuse_links_out(work.folder);
-    if (!io::FolderLock::owner_of(work.folder).empty()) throw Refusal(409, "the run is at work");
+    if (!io::FolderLock::owner_of(work.folder).empty()) throw Refusal(409, "the run is in progress");
     work.case_file = at_rest(work.folder).case_file;
     work.words = {"run", "--resume", folder_.name_of(work.folder)};
   } else {
@@ -157,7 +157,8 @@ Work Runs::work_of(const Json& body, const std::set<fs::path>& taken)
     if (!fs::is_regular_file(file)) throw Refusal(404, fmt::format("there is no {}", text_in(body, "case")));
     const std::string out = text_in(body, "out", "");
     work.folder = out.empty() ? free_place(file, taken) : folder_.inside(out);
-    if (work.folder == folder_.root() || fs::exists(work.folder)) throw Refusal(409, fmt::format("{} is there: name another folder", out));
+    if (work.folder == folder_.root() || fs::exists(work.folder))
+      throw Refusal(409, fmt::format("{} already exists: name another folder", out));
     work.case_file = folder_.name_of(file);
     work.words = {"run", work.case_file, "-o", folder_.name_of(work.folder)};
     const std::vector<std::string> changes = changes_in(body);
@@ -174,7 +175,7 @@ void Runs::stop(const std::string& name)
   const fs::path run = folder_.inside(name);
   if (queue_->stop(folder_.name_of(run))) return;
   const int process = process_in(run);
-  if (process == 0) throw Refusal(409, fmt::format("no process of this machine is at work in {}", name));
+  if (process == 0) throw Refusal(409, fmt::format("no process of this machine runs in {}", name));
   ::kill(process, SIGINT);
 }
 
@@ -185,7 +186,7 @@ fs::path Runs::at_hand(const std::string& name) const
   if (run == folder_.root()) throw Refusal(403, "this is the folder of the desk");
   const auto entry = queue_->find(folder_.name_of(run));
   if (!io::FolderLock::owner_of(run).empty() || (entry && (entry->state == WorkState::queued || entry->state == WorkState::running)))
-    throw Refusal(409, "the run is at work");
+    throw Refusal(409, "the run is in progress");
   return run;
 }
 
@@ -214,7 +215,7 @@ Json Runs::rename(const std::string& name, const std::string& new_name)
 {
   const fs::path run = at_hand(name);
   if (fs::path(new_name).has_parent_path() || new_name.empty() || new_name == ".")
-    throw Refusal(400, fmt::format("{} is no name of a folder", one_line(new_name)), {{"key", "name"}});
+    throw Refusal(400, fmt::format("{} is not a name of a folder", one_line(new_name)), {{"key", "name"}});
   const fs::path next = folder_.inside(folder_.name_of(run.parent_path() / new_name));
   const io::FolderLock lock(run);
   // Takes no place that became another's since it was looked at.

@@ -76,7 +76,7 @@ std::optional<Json> soil_of(const Folder& folder, const fs::path& run, long afte
   const run_folder::FrameFiles& files = frames.back();
   for (const fs::path& file : {files.soil, files.rigid})
     if (!file.empty()) folder.real(file);
-  if (fs::file_size(files.soil) > largest_frame) throw Refusal(413, "the frame is too large to be shown while the run is at work");
+  if (fs::file_size(files.soil) > largest_frame) throw Refusal(413, "the frame is too large to be shown while the run is in progress");
   const run_folder::SavedSoil soil = run_folder::read_soil(files.soil);
   const std::size_t step = 1 + soil.x.size() / most_points;
   const bool flat = std::all_of(soil.z.begin(), soil.z.end(), [](Real z) { return z == 0; });

@@ -132,7 +132,7 @@ Formula strip_moment_on_effective_width(Real v, Real h)
 Formula strip_moment_of_arc()
 {
   constexpr Source source{Label::exact, "circular arc through both edges, an upper bound",
-                          "uniform clay, at the surface, V = H = 0, the base sticks"};
+                          "uniform clay, at the surface, V = H = 0, full tension at the base"};
   constexpr Real half_angle = 1.16556118520721;  // tan a = 2 a
   const Real sine = std::sin(half_angle);
   return formula(half_angle / (2 * sine * sine), source, true);

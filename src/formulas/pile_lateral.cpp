@@ -10,8 +10,8 @@ constexpr Source matlock{Label::fit, "API RP 2GEO, after Matlock 1970, static", 
 constexpr Source dnv{Label::fit, "DNV-RP-C212 (2019, amended 2021), static", "s_u <= 96 kPa"};
 constexpr Source jeanjean{Label::fit, "Jeanjean 2009", "s_u <= 96 kPa"};
 constexpr Source iso{Label::fit, "ISO 19901-4, after Jeanjean and others 2017",
-                     "I_p > 30, OCR <= 2, 0 < s_u <= 100 kPa at the bed and below"};
-constexpr Source murff{Label::recalled, "Murff and Hamilton 1993", "s_u >= 0 at the bed, growing with depth"};
+                     "I_p > 30, OCR <= 2, 0 < s_u <= 100 kPa at the seabed and below"};
+constexpr Source murff{Label::recalled, "Murff and Hamilton 1993", "s_u >= 0 at the seabed, increasing with depth"};
 constexpr Source cowden{Label::fit, "PISA, Cowden till, Byrne and others 2020", "2 <= L/D <= 6"};
 constexpr Source bothkennar{Label::fit, "PISA, Bothkennar clay, Burd and others 2020", "2 <= L/D <= 6"};
 constexpr Source api_sand{Label::fit, "API RP 2GEO, after O'Neill and Murchison 1983, static", "29 <= phi <= 45 deg"};
@@ -173,7 +173,7 @@ std::span<const PileMethod<ClayAtPile>> clay_pile_methods()
       {"API RP 2GEO (Matlock)", "api", "J = 0.5, ε50 = sᵤ/(3G) of the case", matlock_resistance},
       {"DNV-RP-C212", "dnv", "J = 0.5, ε50 = sᵤ/(3G) of the case", dnv_clay_resistance},
       {"Jeanjean 2009", "jeanjean_2009", "G₀ = 550 sᵤ", jeanjean_resistance},
-      {"ISO 19901-4 (Jeanjean 2017)", "iso", "I_p > 30, OCR up to 2, strength the same in all directions", iso_clay_resistance},
+      {"ISO 19901-4 (Jeanjean 2017)", "iso", "I_p > 30, OCR up to 2, isotropic strength", iso_clay_resistance},
       {"PISA Cowden", "pisa_cowden", "G₀ = 550 sᵤ", in_clay<pisa_cowden, &R::p, 1, cowden>, in_clay<pisa_cowden, &R::m, 2, cowden>,
        in_clay<pisa_cowden, &R::base_H, 2, cowden>, in_clay<pisa_cowden, &R::base_M, 3, cowden>},
       {"PISA Bothkennar", "pisa_bothkennar", "G₀ = 550 sᵤ, without the moment of its base", in_clay<pisa_bothkennar, &R::p, 1, bothkennar>,

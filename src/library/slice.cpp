@@ -52,7 +52,7 @@ void take_step(berm_slice& slice, const double velocity[3], double dt, double fo
   Run& run = slice.run;
   if (slice.stage.empty()) throw InputError("the slice is not laid: call berm_slice_lay first");
   for (int k = 0; k < 3; ++k)
-    if (std::isinf(velocity[k])) throw InputError("velocity: it must be finite, or NaN where the slice goes on as it does");
+    if (std::isinf(velocity[k])) throw InputError("velocity: it must be finite, or NaN to keep the present velocity");
   if (!(dt > 0 && std::isfinite(dt))) throw InputError(fmt::format("dt: {} s: it must be more than 0", dt));
   constexpr Freedom freedoms[] = {Freedom::x, Freedom::y, Freedom::rotation};
   for (int k = 0; k < 3; ++k)
@@ -64,7 +64,7 @@ void take_step(berm_slice& slice, const double velocity[3], double dt, double fo
   for (double rest = dt; rest > rounding * std::min(run.time_step(), dt); rest = to - run.time()) {
     run.limit_time_step((1 + rounding) * rest);
     if (!run.step() || run.stage() != slice.stage)
-      throw RunError(fmt::format("stage {} ended at {:.6g} s: a longer until.time lets its caller drive on", slice.stage, run.time()));
+      throw RunError(fmt::format("stage {} ended at {:.6g} s: a longer until.time allows more steps", slice.stage, run.time()));
   }
   run.limit_time_step(std::numeric_limits<double>::infinity());  // the next caller's dt may be longer
   const RigidBodyNow after = body_of(slice);

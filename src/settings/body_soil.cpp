@@ -338,9 +338,10 @@ void check_soil(Describe& d, const Case& c, const std::string& path, const bodie
                         state_size(second), body.material, state_size(first)));
     const Real ratio = density(first) / inertia_density(first);
     d.check(c.method == Method::fem || !hydraulics(first) || !differs_from(ratio, second), key,
-            fmt::format("the materials of a body whose water flows need the same density over inertia_density: inertia_density = \"{:.9g} "
-                        "kg/m^3\" in [material.{}] gives that of [material.{}]",
-                        density(second) / ratio, name, body.material));
+            fmt::format(
+                "the materials of a body whose water flows need the same ratio of density to inertia_density: inertia_density = \"{:.9g} "
+                "kg/m^3\" in [material.{}] gives that of [material.{}]",
+                density(second) / ratio, name, body.material));
   };
   d.check(body.soil_layer.empty() || body.region_material.empty(), path + ".region_material", "cannot be combined with soil_layer");
   for (std::size_t k = 0; k < body.soil_layer.size(); ++k) {

@@ -226,7 +226,7 @@ void check_tractions(Describe& d, const Case& c)
     d.check(traction.pressure_gradient == 0 || traction.pressure, path + ".pressure_gradient",
             "belongs to a pressure: give pressure = 0 where there is none at the level");
     d.check((traction.pressure_gradient != 0) == traction.level.has_value(), path + ".level",
-            "is where the pressure begins to grow: give both level and pressure_gradient, or neither");
+            "is where the pressure begins to increase: give both level and pressure_gradient, or neither");
     const std::vector<Real>& range = traction.x_range;
     d.check(range.empty() || c.dimension() == 2, path + ".x_range", "a part of a boundary can be loaded in two dimensions only");
     d.check(range.empty() || (range.size() == 2 && range[0] < range[1]), path + ".x_range", "needs 2 numbers, the smaller one first");
@@ -327,32 +327,35 @@ void check_output(Describe& d, const Case& c)
 
 void describe(Describe& d, MpmSettings& mpm)
 {
-  d.value("courant", mpm.courant,
-          {.meaning =
-               "time step over the travel time of a wave across the smallest height of a cell; without it, in soil that can yield, three "
-               "quarters of the longest one for which the mesh as a whole is stable (docs/theory/method.md)",
-           .range = {1e-6, 1}});
+  d.value(
+      "courant", mpm.courant,
+      {.meaning =
+           "time step divided by the travel time of a wave across the smallest height of a cell; without it, in soil that can yield, three "
+           "quarters of the longest one for which the mesh as a whole is stable (docs/theory/method.md)",
+       .range = {1e-6, 1}});
   d.value("volumetric_projection", mpm.volumetric_projection,
           {.meaning = "average volume changes over patches of two triangles (six tetrahedra), against locking"});
   d.choice("quadrature", mpm.quadrature, {"full_cells", "particles", "cut_cells"},
            {.meaning =
-                "what stress is integrated over: a cell within the body over its own volume, one at a free surface or at a rigid body over "
+                "volume over which stress is integrated: a cell within the body over its own volume, one at a free surface or at a rigid "
+                "body over "
                 "its particles'; each particle over its own everywhere, as published; or as the first, except that a cell cut by a rigid "
                 "body is integrated over the remaining volume, and with the adhesion on each face of a rigid body from the particles "
                 "beside it: for shaft "
                 "friction and for soil that settles along a structure (docs/how_to/penetrate.md)"});
   d.value("min_volume_ratio", mpm.min_volume_ratio,
-          {.meaning = "smallest volume of a particle, over its initial one", .range = {0, 1, true}});
+          {.meaning = "smallest volume of a particle, divided by its initial one", .range = {0, 1, true}});
   d.value("max_volume_ratio", mpm.max_volume_ratio,
-          {.meaning = "largest volume of a particle, over its initial one; a particle at that volume does not dilate further",
+          {.meaning = "largest volume of a particle, divided by its initial one; a particle at that volume does not dilate further",
            .range = {1, 10}});
   d.value("velocity_filter", mpm.velocity_filter,
           {.meaning = "in soil that can yield: fraction of the particle velocity not resolved by the nodes that is removed while a wave "
                       "crosses its cell; prevents noise from weakening soil without cohesion",
            .range = {0, 1}});
   d.value("bulk_viscosity", mpm.bulk_viscosity,
-          {.meaning = "in soil that can yield: viscous mean stress over density x wave speed x height of a cell x rate of volume change; "
-                      "damps the pressure waves that weaken soil without cohesion",
+          {.meaning =
+               "in soil that can yield: viscous mean stress divided by (density x wave speed x height of a cell x rate of volume change); "
+               "damps the pressure waves that weaken soil without cohesion",
            .range = {0, 1}});
   d.value("active_distance", mpm.active_distance,
           {.meaning = "while a stage drives a rigid body, soil farther than this from the surface of every rigid body (except half-planes) "
@@ -366,7 +369,7 @@ void describe(Describe& d, FemSettings& fem)
   d.value("contact_size", fem.contact_size,
           {.meaning = "size of the elements at the rigid body; absent: that of the mesh there", .unit = "m", .range = positive});
   d.value("tolerance", fem.tolerance,
-          {.meaning = "sum of the unbalanced nodal forces, over that of the contact forces, that counts as equilibrium",
+          {.meaning = "sum of the unbalanced nodal forces, divided by that of the contact forces, that counts as equilibrium",
            .range = {0, 0.1, true}});
   d.value("large_deformation", fem.large_deformation,
           {.meaning =
@@ -376,13 +379,14 @@ void describe(Describe& d, FemSettings& fem)
           {.meaning = "with large_deformation: travel of the rigid body between remeshings, as a fraction of its width",
            .range = {0, 1, true}});
   d.value("largest_step", fem.largest_step,
-          {.meaning = "largest travel in one increment, over the width of the rigid body", .range = {0, 1, true}});
-  d.value("relaxation", fem.relaxation,
-          {.meaning =
-               "travel over which stress beyond the strength decays, over the width of the rigid body: the largest that is used. While "
-               "increments converge quickly it falls to half, or to a ten-thousandth where all soil has dilation_angle = "
-               "friction_angle",
-           .range = {0, 1, true}});
+          {.meaning = "largest travel in one increment, divided by the width of the rigid body", .range = {0, 1, true}});
+  d.value(
+      "relaxation", fem.relaxation,
+      {.meaning =
+           "travel over which stress beyond the strength decays, divided by the width of the rigid body: the largest that is used. While "
+           "increments converge quickly it falls to half, or to a ten-thousandth where all soil has dilation_angle = "
+           "friction_angle",
+       .range = {0, 1, true}});
 }
 
 void describe(Describe& d, WatchSettings& watch)
@@ -457,10 +461,10 @@ void describe(Describe& d, Case& c)
   d.value("gravity", c.gravity,
           {.meaning = "gravity, one number per direction, such as [0, \"-50 gravity\"]; absent = none", .unit = "m/s^2"});
   d.value("gravity_ramp", c.gravity_ramp,
-          {.meaning = "time over which gravity grows from zero to its full value at the start", .unit = "s", .range = not_negative});
+          {.meaning = "time over which gravity increases from zero to its full value at the start", .unit = "s", .range = not_negative});
   std::optional<Real> level = c.surface_given || c.surface != 0 ? std::optional(c.surface) : std::nullopt;
   d.value("surface", level,
-          {.meaning = "level y of the bed's surface at the start, from which embedment is measured; absent = 0 for a level bed, and on a "
+          {.meaning = "level y of the seabed at the start, from which embedment is measured; absent = 0 for a level bed, and on a "
                       "slope, in a trench or on a step the ground below the rigid body",
            .unit = "m"});
   c.surface_given = level.has_value();

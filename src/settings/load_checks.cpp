@@ -160,7 +160,7 @@ std::string fault_of_water(const Case& c, const StageSettings& s)
   constexpr Real flat = 5 * degree * (1 - 1e-9);
   if (!s.water) return "";
   if (s.loads.of("water").empty()) return "water: is for a load history with the velocity of water: time_s,water_m_s";
-  if (s.time_scale != 1) return "time_scale: is 1 with [stage.water]: the forces depend on the velocity of the pipe, and so on its time";
+  if (s.time_scale != 1) return "time_scale: must be 1 with [stage.water]: the forces depend on the velocity of the pipe in real time";
   for (const auto& [name, rigid] : c.rigid)
     if ((s.rigid.empty() || name == s.rigid) && !bodies::pipe_section(rigid.shape))
       return fmt::format("water: is for a circular pipe, and [rigid.{}] is none", name);
@@ -178,7 +178,7 @@ std::optional<RowFault> fault_of_row(const StageSettings& s, std::size_t row)
   if (row > 0 && t[row] < t[row - 1]) return of_times("times must ascend");
   const bool jump = row > 0 && t[row] == t[row - 1];
   if (jump && row > 1 && t[row] == t[row - 2])
-    return of_times(fmt::format("the time {:.6g} s stands three times: twice is a jump, from the first value to the second", t[row]));
+    return of_times(fmt::format("the time {:.6g} s occurs three times: twice is a jump, from the first value to the second", t[row]));
   for (std::size_t k = 0; k < load_columns.size(); ++k) {
     const std::vector<Real>& column = s.loads.columns[k];
     if (row >= column.size()) continue;

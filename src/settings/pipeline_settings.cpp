@@ -42,7 +42,7 @@ void describe(Describe& d, OtherSoil& soil)
 
 void describe(Describe& d, Route& route)
 {
-  d.value("table", route.table, {.meaning = "CSV file, beside the case file, whose columns x_m and y_m are the route, from x = 0"});
+  d.value("table", route.table, {.meaning = "CSV file, relative to the case file, whose columns x_m and y_m are the route, from x = 0"});
   d.value("x", route.x, {.meaning = "instead of a file: positions along the line, ascending from 0", .unit = "m"});
   d.value("y", route.y, {.meaning = "instead of a file: lateral position of the line there, along x of the slices", .unit = "m"});
 }
@@ -50,7 +50,7 @@ void describe(Describe& d, Route& route)
 void describe(Describe& d, LateralCurve& curve)
 {
   d.value("table", curve.table,
-          {.meaning = "CSV file, beside the case file, whose columns u_m and H_N_m are the lateral resistance over displacement"});
+          {.meaning = "CSV file, relative to the case file, whose columns u_m and H_N_m are the lateral resistance against displacement"});
   d.value("u", curve.x, {.meaning = "instead of a file: displacements, ascending from above 0", .unit = "m"});
   d.value("H", curve.y, {.meaning = "instead of a file: resistances at these displacements; constant after the last", .unit = "N/m"});
 }
@@ -84,11 +84,11 @@ void describe(Describe& d, SliceSettings& slices)
 
 void describe(Describe& d, FarSoil& soil)
 {
-  d.value("friction", soil.friction, {.meaning = "lateral resistance over the submerged weight", .range = not_negative});
+  d.value("friction", soil.friction, {.meaning = "lateral resistance divided by the submerged weight", .range = not_negative});
   d.value("mobilisation", soil.mobilisation,
           {.meaning = "displacement at which it is mobilised; 0: a hundredth of the diameter", .unit = "m", .range = not_negative});
   d.value("axial_friction", soil.axial_friction,
-          {.meaning = "axial resistance over the submerged weight, under the slices, too", .range = not_negative});
+          {.meaning = "axial resistance divided by the submerged weight, under the slices, too", .range = not_negative});
   d.value("axial_angle", soil.axial_angle,
           {.meaning =
                "angle of friction between pipe and soil along the line, instead of axial_friction: on the force V that a slice has, times "
@@ -101,12 +101,13 @@ void describe(Describe& d, FarSoil& soil)
            .range = not_negative});
   d.value("axial_mobilisation", soil.axial_mobilisation,
           {.meaning = "displacement at which it is mobilised", .unit = "m", .range = positive});
-  d.value(
-      "stiffness", soil.stiffness,
-      {.meaning = "vertical stiffness; absent: the submerged weight over a hundredth of the diameter", .unit = "N/m^2", .range = positive});
-  d.optional_table("lateral", soil.lateral, {.meaning = "lateral resistance over displacement, instead of friction and mobilisation"});
+  d.value("stiffness", soil.stiffness,
+          {.meaning = "vertical stiffness; absent: the submerged weight divided by a hundredth of the diameter",
+           .unit = "N/m^2",
+           .range = positive});
+  d.optional_table("lateral", soil.lateral, {.meaning = "lateral resistance against displacement, instead of friction and mobilisation"});
   d.value("macro_element", soil.macro_element,
-          {.meaning = "file of berm macro-element, beside the case file, instead of the other keys: resistance in all directions"});
+          {.meaning = "file of berm macro-element, relative to the case file, instead of the other keys: resistance in all directions"});
   declare_usual(d, {{"friction", {0.05, 3}},
                     {"axial_friction", {0.05, 2}},
                     {"axial_strength", {0, 5e5}},
@@ -153,7 +154,8 @@ void describe(Describe& d, PipelineSettings& pipeline)
                    {.meaning = "a second line on springs from the same soil, for comparison with a design on springs"});
   d.value(
       "vertical_damping", pipeline.vertical_damping,
-      {.meaning = "vertical damping force over momentum of the line: removes the energy added by the soil reaction, which lags by one step",
+      {.meaning =
+           "vertical damping force divided by momentum of the line: removes the energy added by the soil reaction, which lags by one step",
        .unit = "1/s",
        .range = not_negative});
   declare_usual(d, {{"young_modulus", {5e8, 4.5e11}},  // of polyethylene to that of what is stiffer than carbon fibre

@@ -16,7 +16,7 @@ void describe(Describe& d, SoundingSettings& sounding)
   d.value("x", sounding.x, {.meaning = "place of the vertical along x", .unit = "m"});
   d.value("z", sounding.z, {.meaning = "place of the vertical along z, in space", .unit = "m"});
   d.value("depth", sounding.depth,
-          {.meaning = "depths below the bed's surface, the smallest first", .unit = "m", .range = not_negative, .required = true});
+          {.meaning = "depths below the seabed, the smallest first", .unit = "m", .range = not_negative, .required = true});
   d.value("value", sounding.value,
           {.meaning = "the property at these depths; within a cell of the field their geometric mean counts",
            .unit = "Pa",
@@ -35,14 +35,16 @@ void describe(Describe& d, RandomFieldSettings& field)
                "associated flow stays associated",
            .required = true});
   d.value("coefficient_of_variation", field.coefficient_of_variation,
-          {.meaning = "standard deviation over mean at a point, of a lognormal distribution", .range = {0, 10, true}, .required = true});
+          {.meaning = "coefficient of variation (standard deviation divided by mean) at a point, of a lognormal distribution",
+           .range = {0, 10, true},
+           .required = true});
   d.value("correlation_length_x", field.correlation_length_x,
           {.meaning = "scale of fluctuation along x: the integral of the correlation of the logarithm over all distances; absent: the same "
                       "all along x",
            .unit = "m",
            .range = positive});
   d.value("correlation_length_depth", field.correlation_length_depth,
-          {.meaning = "the same along the depth below the bed's surface", .unit = "m", .range = positive});
+          {.meaning = "the same along the depth below the seabed", .unit = "m", .range = positive});
   d.value("correlation_length_z", field.correlation_length_z, {.meaning = "the same along z, in space", .unit = "m", .range = positive});
   d.choice(
       "correlation", field.correlation, {"markov", "gaussian"},

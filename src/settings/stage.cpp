@@ -70,8 +70,9 @@ void describe(Describe& d, Until& until)
                "than 0: the soil holds the body down",
            .unit = "N/m"});
   d.value("consolidation", until.consolidation,
-          {.meaning = "degree of consolidation U where water flows: 1 - the largest excess pore pressure in the soil now, over the largest "
-                      "in this stage, both without waves (means over 8 H/c of the soil's height H and the speed c of waves)",
+          {.meaning =
+               "degree of consolidation U where water flows: 1 - the largest excess pore pressure in the soil now, divided by the largest "
+               "in this stage, both without waves (means over 8 H/c of the soil's height H and the speed c of waves)",
            .range = {0.01, 0.999}});
   d.value("equilibrium", until.equilibrium,
           {.meaning =
@@ -138,11 +139,12 @@ void describe(Describe& d, StageSettings& stage)
   d.value("sweeps", stage.sweeps, {.meaning = "in a sweep: number of drags; two make a cycle", .range = {0, 10000}});
   d.value("pause", stage.pause,
           {.meaning = "in a sweep: time between two drags, with the vertical force held", .unit = "s", .range = not_negative});
-  d.value("load_history", stage.load_history,
-          {.meaning =
-               "CSV file, beside the case file, of the time since the start of the stage and, in a push or a drag, the factor of velocity "
-               "or force; or of forces, velocities and displacements that vary together, which its header names: time_s,H_N_m,V_N_m; in a "
-               "stage of kind pipeline of the loads of the line: time_s,temperature_K,pressure_Pa"});
+  d.value(
+      "load_history", stage.load_history,
+      {.meaning =
+           "CSV file, relative to the case file, of the time since the start of the stage and, in a push or a drag, the factor of velocity "
+           "or force; or of forces, velocities and displacements that vary together, which its header names: time_s,H_N_m,V_N_m; in a "
+           "stage of kind pipeline of the loads of the line: time_s,temperature_K,pressure_Pa"});
   d.value("load_times", stage.load_times,
           {.meaning = "instead of a file: the times, ascending; the same time twice is a jump from the first value to the second",
            .unit = "s"});
@@ -158,7 +160,7 @@ void describe(Describe& d, StageSettings& stage)
           {.meaning = "number of times the load history runs, one after the other; displacements must end where they started",
            .range = {1, 1e6}});
   d.value("time_scale", stage.time_scale,
-          {.meaning = "time of the run over that of the load history, forces and travels unchanged; automatic: the smallest at which "
+          {.meaning = "time of the run divided by that of the load history, forces and travels unchanged; automatic: the smallest at which "
                       "inertia is small, 1 at most",
            .range = positive,
            .words = {{"automatic", automatic_time_scale}}});
@@ -178,8 +180,9 @@ void describe(Describe& d, StageSettings& stage)
                "the strains of displacement; rigid bodies get columns of their own for it, since_u_m and since_w_m"});
   d.table("until", stage.until, {.meaning = "the stage ends at the first of these that is reached"});
   d.value("equilibrium", stage.equilibrium,
-          {.meaning = "geostatic: largest out-of-balance force, over the weight, that counts as equilibrium; the same limit applies to the "
-                      "motion of the soil",
+          {.meaning =
+               "geostatic: largest out-of-balance force, divided by the weight, that counts as equilibrium; the same limit applies to the "
+               "motion of the soil",
            .range = positive});
 }
 

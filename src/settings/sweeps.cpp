@@ -61,7 +61,7 @@ std::size_t first_of_repeat(const Case& c, std::size_t last)
   if (stage.repeat_from.empty()) return last;
   for (std::size_t k = 0; k <= last; ++k)
     if (c.stage[k].name == stage.repeat_from) return k;
-  throw KeyError(fmt::format("stage[{}].repeat_from: \"{}\" is no stage before it", last, stage.repeat_from));
+  throw KeyError(fmt::format("stage[{}].repeat_from: \"{}\" is not a stage before it", last, stage.repeat_from));
 }
 
 }  // namespace

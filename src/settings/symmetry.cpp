@@ -66,7 +66,8 @@ void check_symmetry(Describe& d, const Case& c)
   if (c.symmetry.empty()) return;
   d.check(c.geometry == Geometry::space, "symmetry", "planes of symmetry are for geometry = \"space\": leave symmetry out");
   for (const std::string& axis : c.symmetry) {
-    d.check(axis == "x" || axis == "z", "symmetry", fmt::format("\"{}\" is no axis with a plane of symmetry across it", axis), {"x", "z"});
+    d.check(axis == "x" || axis == "z", "symmetry", fmt::format("\"{}\" is not an axis with a plane of symmetry across it", axis),
+            {"x", "z"});
     d.check(std::count(c.symmetry.begin(), c.symmetry.end(), axis) == 1, "symmetry", fmt::format("names \"{}\" twice", axis));
   }
   for (const int axis : {0, 2}) {

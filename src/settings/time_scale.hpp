@@ -31,7 +31,7 @@ std::string time_scale_words(const StageSettings& stage);
 
 /// What to know of a time scale below 1 where a force moves a body that breaks out.
 inline constexpr const char* breakout_takes_time =
-    "a body that breaks out is accelerated, and its travel grows with the square of the duration of the wave";
+    "a body that breaks out is accelerated, and its displacement increases with the square of the duration of the wave";
 
 /// "the inertia of the soil", ...
 const char* words_of(TimeScale::Reason reason);

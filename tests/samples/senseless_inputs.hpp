@@ -69,7 +69,7 @@ inline const std::vector<SenselessInput>& senseless_inputs()
       {"pipe_above_the_bed",
        "bed",
        warned,
-       {"rigid.pipe", "above the bed's surface", "at the surface"},
+       {"rigid.pipe", "above the seabed", "at the surface"},
        {"rigid.pipe.center=[0, \"25 mm\"]"},
        "",
        ""},

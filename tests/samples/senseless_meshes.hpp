@@ -12,7 +12,7 @@ inline const std::vector<SenselessInput>& senseless_meshes()
   constexpr const char* box = "kind = \"box\"\nsize = [\"120 mm\", \"60 mm\"]\ncells = [30, 15]";
   static const std::string file = "kind = \"gmsh\"\nfile = \"none.msh\"\n";
   static const std::vector<SenselessInput> all = {
-      {"axis_that_is_none", "box", refused, {"mesh.axes", "\"w\" is no axis"}, {}, box, file + "axes = [\"x\", \"w\"]"},
+      {"axis_that_is_none", "box", refused, {"mesh.axes", "\"w\" is not an axis"}, {}, box, file + "axes = [\"x\", \"w\"]"},
       {"axis_without_name", "box", refused, {"mesh.axes", "must not be empty"}, {}, box, file + "axes = [\"x\", \"\"]"},
       {"axis_twice", "box", refused, {"mesh.axes", "takes z of the file twice"}, {}, box, file + "axes = [\"z\", \"-z\"]"},
       {"one_axis", "box", refused, {"mesh.axes", "needs 2 axes, and has 1"}, {}, box, file + "axes = [\"x\"]"},

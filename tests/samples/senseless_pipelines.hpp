@@ -13,7 +13,7 @@ inline const std::vector<SenselessInput>& senseless_pipelines()
       {"pipeline_that_is_heated_fast",
        "line",
        warned,
-       {"stage.heat.ramp", "on the springs of far_soil the line stands", "with stages of the line 2", "times as long"},
+       {"stage.heat.ramp", "on the springs of far_soil the line ends up", "with stages of the line 2", "times as long"},
        {"stage.heat.ramp=1 s", "stage.heat.until.time=2 s"},
        "",
        ""},

@@ -13,7 +13,7 @@ inline const std::vector<SenselessInput>& senseless_remeshed()
       {"remeshed_begins_above_the_bed",
        "remeshed",
        warned,
-       {"rigid.pipe", "begins 0.2 m above the bed's surface"},
+       {"rigid.pipe", "begins 0.2 m above the seabed"},
        {"rigid.pipe.center=[0, \"0.7 m\"]"},
        "",
        ""},

@@ -113,7 +113,7 @@ inline const std::vector<SenselessInput>& senseless_sizes()
       {"centre_of_a_thicker_pipe",
        "bed",
        warned,
-       {"rigid.pipe", "above the bed's surface", "its centre at 0.008 m", "has its size changed"},
+       {"rigid.pipe", "above the seabed", "its centre at 0.008 m", "has its size changed"},
        {"rigid.pipe.diameter=16 mm"},
        "",
        ""},

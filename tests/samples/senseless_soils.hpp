@@ -239,7 +239,7 @@ inline const std::vector<SenselessInput>& senseless_soils()
       {"sand_at_rest",
        "bed",
        warned,
-       {"mpm.active_distance", "makes some sand rest, [material.sand]", "or compare with a run without it"},
+       {"mpm.active_distance", "makes part of the sand inactive, [material.sand]", "or compare with a run without it"},
        {"mpm.active_distance=\"60 mm\""},
        "",
        ""},

@@ -456,7 +456,7 @@ inline const std::vector<WrongInput>& wrong_inputs()
        "young_modulus = \"7 MPa\"",
        "inertia_density = \"1700 kg/m^3\"\nyoung_modulus = \"7 MPa\"",
        13,
-       {"material.sand.inertia_density", "cannot be less than the density of the weight"},
+       {"material.sand.inertia_density", "less than the density that gives the weight"},
        {}},
       {"layer_of_an_unknown_material",
        "{box = 0.05}",

@@ -28,8 +28,8 @@ export function show_charts(section: HTMLElement, trust: HTMLElement, data: Page
   const paths = with_data(forces).map((plan) => view(plan));
   section.append(
     ...group(data.runs.every(is_line_run) ? "Load of the line" : "Push and drag", paths),
-    ...group("Water in the pores", with_data(water_plans(data.runs)).map((plan) => view(plan))),
-    ...folded("Any column of history.csv over any other", free_views(data, view)),
+    ...group("Pore pressure", with_data(water_plans(data.runs)).map((plan) => view(plan))),
+    ...folded("Any column of history.csv against any other", free_views(data, view)),
   );
   trust.append(...folded(`Charts of ${data.runs.some((run) => run.diameter !== null) ? "energy, equilibrium, contact and noise" : "energy and equilibrium"}`, [
     ...energy_views(data, view),

@@ -52,7 +52,7 @@ export class PanelPage {
       this.bar_title,
       this.bar,
       make("div", "film-range", make("label", "", "from ", this.from), make("label", "", " to ", this.to),
-        button("film-range-back", "Default range", "Give the colours the range that they began with", () => wishes.range(null))),
+        button("film-range-back", "Default range", "Reset the range of the colours", () => wishes.range(null))),
     );
     this.element.append(
       make("div", "film-head", this.run.label, this.field.label),

@@ -140,7 +140,7 @@ export class SliceCards {
 
   private draw(card: Card, k: number, width: number): void {
     const step = margin.top + height_of_plot + margin.bottom, last = this.series.length - 1;
-    const svg = drawing(width, step * this.series.length + height_of_numbers, `Slice ${k}: H, V over the weight W and embedment w over u`);
+    const svg = drawing(width, step * this.series.length + height_of_numbers, `Slice ${k}: H/W, V/W and embedment w against u`);
     const along = roomy(ends_of(this.u.values), room);
     this.areas = this.series.map(({ kind, unit, values, largest }, i) => {
       const box = { left: margin.left, top: i * step + margin.top, width: width - margin.left - margin.right, height: height_of_plot };

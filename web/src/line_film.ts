@@ -154,7 +154,7 @@ export class LineFilm implements Player, KeyPlayer {
     this.stage.replaceChildren(...this.charts.map((chart) => chart.element));
     this.place_of_cards.replaceChildren(...(this.cards === null ? [] : [
       make("h3", "", "Slices"),
-      make("p", "quiet", `Resistance H, vertical reaction V over the submerged weight W of the line as it was laid (${weight_words(run)}) and embedment w, over the displacement u of the pipe since it was laid; in the stages that load the line. All slices have the same axes. A ring and bold numbers mark the largest of all slices.`),
+      make("p", "quiet", `Resistance H and vertical reaction V, divided by the submerged weight W of the line as it was laid (${weight_words(run)}), and embedment w, against the displacement u of the pipe since it was laid; in the stages that load the line. All slices have the same axes. A ring and bold numbers mark the largest of all slices.`),
       this.cards.element]));
     this.stages.replaceChildren(...this.ends.map((end) =>
       button("line_to_end", words_of_end(run, end), `Go to the end of ${end.name}`, () => this.move(end.frame))));

@@ -180,10 +180,11 @@ void describe(Describe& d, Expectation& e)
   d.value("quoted", e.quoted, {.meaning = "instead of exact: text of a page that quotes the number, which stands in braces with its unit"});
   d.value("quoted_unit", e.quoted_unit, {.meaning = "unit of that number, where it is not in the text"});
   d.value("page", e.page, {.meaning = "file of the example that has that text"});
-  d.value("partly", e.partly,
-          {.meaning = "of a claim: largest |value / exact - 1|, or distance from a bound over that bound, up to which it holds partly",
-           .range = positive,
-           .words = {{"always", infinity}}});
+  d.value(
+      "partly", e.partly,
+      {.meaning = "of a claim: largest |value / exact - 1|, or distance from a bound divided by that bound, up to which it holds partly",
+       .range = positive,
+       .words = {{"always", infinity}}});
   d.value("label", e.label, {.meaning = "of a claim: what the number is"});
   d.value("source", e.source, {.meaning = "source of the expected value"});
   d.value("why", e.why, {.meaning = "reason for the tolerance or the bounds"});
@@ -292,7 +293,7 @@ std::string words_of(const Expectation& e)
   const std::string words = (e.runs.empty() ? "" : "order of ") + words_of(e.observable);
   if (!is_ratio(e)) return words;
   const std::string divisor = e.over_number ? words_of(*e.over_number) : "that";
-  return fmt::format("{} over {}{}", words, divisor, e.over.empty() ? "" : " of " + e.over);
+  return fmt::format("{} divided by {}{}", words, divisor, e.over.empty() ? "" : " of " + e.over);
 }
 
 bool is_pure(const Expectation& e)

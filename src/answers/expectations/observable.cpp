@@ -86,7 +86,7 @@ Reading reading_of_column(const Observable& observable, const run_folder::Histor
 void describe(Describe& d, Observable& observable)
 {
   d.value("quantity", observable.quantity, {.meaning = "quantity of summary.json"});
-  d.value("at", observable.at, {.meaning = "where a quantity is taken that has a position: a length over D, a force in N/m"});
+  d.value("at", observable.at, {.meaning = "where a quantity is taken that has a position: a length divided by D, a force in N/m"});
   d.value("column", observable.column, {.meaning = "column of history.csv, instead of a quantity"});
   d.choice("measure", observable.measure, measure_words, {.meaning = "number that is taken from the column"});
   d.value("from", observable.from, {.meaning = "start of the window in time; absent = first row", .unit = "s"});

@@ -189,7 +189,7 @@ int wait_unless_interrupted(ChildProcess& child, const std::string& name)
     if (interrupted()) {
       child.send(SIGKILL);
       child.wait();
-      throw Interrupted(fmt::format("stopped while {} was at work", name));
+      throw Interrupted(fmt::format("stopped while {} was running", name));
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }

@@ -113,7 +113,7 @@ void WaitingGmsh::check_alive()
 {
   if (interrupted()) {
     gmsh_.reset();
-    throw Interrupted("stopped while gmsh was at work");
+    throw Interrupted("stopped while gmsh was running");
   }
   if (!gmsh_->has_ended()) return;
   const int status = gmsh_->wait();

@@ -33,7 +33,7 @@ public:
   explicit Turn(const fs::path& file) : file_(::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600))
   {
     while (file_ >= 0 && ::flock(file_, LOCK_EX | LOCK_NB) != 0 && (errno == EWOULDBLOCK || errno == EINTR)) {
-      stop_if_asked("another run makes the mesh");
+      stop_if_asked("another run is making the mesh");
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
   }

@@ -131,7 +131,7 @@ std::string advised(std::string description)
   if (const std::string words = "Error while parsing "; description.starts_with(words)) description.erase(0, words.size());
   if (description.find("unescaped control characters") != std::string::npos) return description + "; is a quote left open?";
   if (description.find("expected a comment or whitespace") != std::string::npos)
-    return description + "; texts and quantities with units stand in quotes: \"20 mm\"";
+    return description + "; texts and quantities with units are written in quotes: \"20 mm\"";
   return description;
 }
 

@@ -196,7 +196,7 @@ private:
     const auto found = std::find_if(named.begin(), named.end(), fits);
     const std::size_t k = found == named.end() ? named.front() : *found;
     if (std::find(columns_.begin(), columns_.end(), k) != columns_.end())
-      refuse(fmt::format("{} is a second column of the same", in_quotes(header)));
+      refuse(fmt::format("{} repeats another column", in_quotes(header)));
     scales_.push_back(scale_of(header, written, unit_of(k)));
     columns_.push_back(k);
   }
@@ -204,7 +204,7 @@ private:
   std::vector<Real> numbers_of(const std::vector<std::string>& fields) const
   {
     const std::size_t count = columns_.empty() ? 2 : 1 + columns_.size();
-    if (columns_.empty() && !form_.factors) refuse("the first line is to name the columns: " + form_.header);
+    if (columns_.empty() && !form_.factors) refuse("the first line must name the columns: " + form_.header);
     if (fields.size() != count)
       refuse((columns_.empty()
                   ? "a line of a load history is two numbers, time in s and factor: 0.5, 1.2; of more columns the first line is their "

@@ -200,8 +200,8 @@ void do_loads_keep_their_soil(const Scene& s, Findings& found)
       if (dug == load.points.end()) continue;
       const bool head = load.key.starts_with("support.");
       const std::string words = fmt::format(
-          "\"{}\" takes away the soil at ({}, {}), on which [{}] {}: {}", work.name, place_words((*dug)[0]), place_words((*dug)[1]),
-          load.key, head ? "acts as a head of water" : "acts",
+          "\"{}\" removes the soil at ({}, {}), on which [{}] {}: {}", work.name, place_words((*dug)[0]), place_words((*dug)[1]), load.key,
+          head ? "acts as a head of water" : "acts",
           head ? "the head is lost from then on; excavate beside it, or give the new surface its own support"
                : "a load needs its soil to the end of the run; leave that length of the boundary out (x_range), or excavate beside it");
       head ? found.warn(key, words) : found.refuse(key, words);

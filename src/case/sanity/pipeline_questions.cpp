@@ -46,13 +46,12 @@ void is_heating_slow(const Scene& s, const Journey& as_it_is, Findings& found)
   }
   const std::string advice = enough ? fmt::format("{:g} times as long would do, until.time = {} here", times.back() / 2,
                                                   words_of(times.back() / 2 * *s.c.stage[k].until.time, "s"))
-                                    : "where a line snaps, a few per cent of this is scatter";
-  found.warn(
-      stage_key(k, "ramp"),
-      fmt::format("on the springs of far_soil the line stands {:.3g} m from its axis at the end, with a moment of {:.4g} kN m; with stages "
-                  "of the line {} times as long {} m and {} kN m: its inertia matters here, while real heating takes hours; {}",
-                  as_it_is.ends[k].y, as_it_is.ends[k].moment / 1e3, text_of_list(times, ", ", "{:g}"), text_of_list(ways, ", ", "{:.3g}"),
-                  text_of_list(moments, ", ", "{:.4g}"), advice));
+                                    : "where a line buckles dynamically, a few per cent of this is scatter";
+  found.warn(stage_key(k, "ramp"),
+             fmt::format("on the springs of far_soil the line ends up {:.3g} m from its axis, with a moment of {:.4g} kN m; with stages "
+                         "of the line {} times as long {} m and {} kN m: its inertia matters here, while real heating takes hours; {}",
+                         as_it_is.ends[k].y, as_it_is.ends[k].moment / 1e3, text_of_list(times, ", ", "{:g}"),
+                         text_of_list(ways, ", ", "{:.3g}"), text_of_list(moments, ", ", "{:.4g}"), advice));
 }
 
 void are_slices_near_enough(const Scene& s, const Journey& journey, Findings& found)
@@ -62,12 +61,11 @@ void are_slices_near_enough(const Scene& s, const Journey& journey, Findings& fo
   for (std::size_t k = 1; k < journey.places.size() && !(journey.places[k - 1] > journey.lobe); ++k)
     spacing = std::max(spacing, journey.places[k] - journey.places[k - 1]);
   if (!(spacing > (1 + 1e-9) * journey.lobe / wanted)) return;
-  found.warn(
-      s.c.pipeline->slices.spacing ? "pipeline.slices.spacing" : "pipeline.slices.at",
-      fmt::format(
-          "is {}, and a lobe of the line is {} long on the springs of far_soil: {:.2g} slices to a lobe, and {:g} are needed; {} or less",
-          words_of(spacing, "m"), words_of(journey.lobe, "m"), journey.lobe / spacing, wanted,
-          words_of(rounded_down(journey.lobe / wanted), "m")));
+  found.warn(s.c.pipeline->slices.spacing ? "pipeline.slices.spacing" : "pipeline.slices.at",
+             fmt::format("is {}, and a lobe of the line is {} long on the springs of far_soil: {:.2g} slices per lobe, and {:g} are "
+                         "needed; take {} or less",
+                         words_of(spacing, "m"), words_of(journey.lobe, "m"), journey.lobe / spacing, wanted,
+                         words_of(rounded_down(journey.lobe / wanted), "m")));
 }
 
 /// The first place on the way of the slices, to this side, whose cells are coarser than at the start.
@@ -134,8 +132,8 @@ void is_the_line_laid_by_its_weight(const Scene& s, Findings& found)
     const Real weight = s.c.pipeline->submerged_weight;
     if (!V || has_load_history(stage) || *V <= most * weight) continue;
     found.warn(stage_key(k, key),
-               fmt::format("is {:.4g} N/m, {:.3g} times the submerged weight of the line, {:.4g} N/m: laying presses a pipe into "
-                           "the bed with 1 to 4 times its weight; is the unit of either right?",
+               fmt::format("is {:.4g} N/m, {:.3g} times the submerged weight of the line, {:.4g} N/m: in laying the contact force is "
+                           "1 to 4 times the submerged weight; is the unit of either right?",
                            *V, *V / weight, weight));
   }
 }
@@ -168,19 +166,21 @@ void is_the_line_a_pipe(const Scene& s, Findings& found)
   const Real buoyancy = sea_water * pi / 4 * D * D, in_air = weight / s.gravity + buoyancy;
   if (steel && mass < rounding * *steel)
     found.warn(mass_key,
-               fmt::format("is {}, less than that of the steel of the wall alone, {}: its displacement as it snaps depends on it; "
+               fmt::format("is {}, less than that of the steel of the wall alone, {}: its displacement in dynamic buckling depends on it; "
                            "take pipe, content and added mass of the water, {} or more",
                            words_of(mass, "kg/m"), words_of(*steel, "kg/m"), words_of(rounded_up(std::max(*steel, in_air)), "kg/m")));
   else if (mass < rounding * in_air)
-    found.warn(mass_key,
-               fmt::format("is {}, less than its submerged weight over g and the water that it displaces, {} + {}: its displacement as it "
-                           "snaps depends on it; take {} or more",
-                           words_of(mass, "kg/m"), words_of(weight / s.gravity, "kg/m"), words_of(buoyancy, "kg/m"),
-                           words_of(rounded_up(in_air), "kg/m")));
+    found.warn(
+        mass_key,
+        fmt::format("is {}, less than its submerged weight divided by g plus the mass of the displaced water, {} + {}: its displacement in "
+                    "dynamic buckling depends on it; take {} or more",
+                    words_of(mass, "kg/m"), words_of(weight / s.gravity, "kg/m"), words_of(buoyancy, "kg/m"),
+                    words_of(rounded_up(in_air), "kg/m")));
   if (steel && *steel * s.gravity - buoyancy * s.gravity > weight / rounding)
-    found.warn("pipeline.submerged_weight", fmt::format("is {:.4g} N/m, and the steel of the wall alone weighs {:.4g} N/m less the water "
-                                                        "that the pipe displaces, {:.4g} N/m: is the wall thickness or the weight wrong?",
-                                                        weight, *steel * s.gravity, buoyancy * s.gravity));
+    found.warn("pipeline.submerged_weight",
+               fmt::format("is {:.4g} N/m, less than the dry weight of the steel wall alone, {:.4g} N/m, minus the buoyancy of the pipe, "
+                           "{:.4g} N/m: is the wall thickness or the weight wrong?",
+                           weight, *steel * s.gravity, buoyancy * s.gravity));
 }
 
 void does_the_line_go_beyond_its_slices(const Scene& s, Findings& found)
@@ -192,7 +192,7 @@ void does_the_line_go_beyond_its_slices(const Scene& s, Findings& found)
   const Real beyond = line.length - places.back(), wanted = std::max(line.imperfection.length, places.back());
   if (!(beyond < wanted) || line.half == settings::LineHalf::none) return;
   found.warn("pipeline.length",
-             fmt::format("is {}: the held end is {} beyond the last slice, so little line can feed into the buckle; put it where the line "
+             fmt::format("is {}: the fixed end is {} beyond the last slice, which limits the feed-in; put it where the line "
                          "no longer slips, or half way to the next buckle, {} or more",
                          words_of(line.length, "m"), words_of(beyond, "m"), words_of(rounded_up(places.back() + wanted), "m")));
 }

@@ -146,7 +146,7 @@ void does_the_driven_body_touch_soil(const Scene& s, Findings& found)
              !s.c.small_strain()) {
       const Span& y = s.rigids[rigid].space[s.up];
       found.warn(fmt::format("rigid.{}", name),
-                 fmt::format("begins {} above the bed's surface, {:.2g} of its width of {}: it does not touch soil at first; put its "
+                 fmt::format("begins {} above the seabed, {:.2g} of its width of {}: it does not touch soil at first; put its "
                              "lowest point at the surface, with its centre at {} (has its size changed since?)",
                              words_of(-s.ways[k].begin_embedment, "m"), -s.ways[k].begin_embedment / s.rigids[rigid].width,
                              words_of(s.rigids[rigid].width, "m"),
@@ -274,7 +274,7 @@ void does_the_path_stay_on_fine_cells(const Scene& s, Findings& found)
       const bool seabed = std::holds_alternative<mesh::SeabedMesh>(s.c.mesh);
       found.warn(stage_key(k, "until"),
                  fmt::format("takes \"{}\" out of the fine zone: after {} of this stage cells at it are {} (D/{:.0f}), and {} (D/{:.0f}) "
-                             "at the start; resistance grows with the size of the cells: {}",
+                             "at the start; resistance increases with the size of the cells: {}",
                              s.c.rigid[way.rigid].first, words_of(std::sqrt(travel), "m"), words_of(size, "m"), width / size,
                              words_of(first, "m"), width / first,
                              seabed ? "enlarge mesh.near_left, near_right or near_depth, or make its travel shorter"
@@ -296,9 +296,10 @@ void do_fine_cells_reach_the_ends(const Scene& s, Findings& found)
                  fine = front ? *bed->near_front : *bed->near_back;
       if ((front ? end - fine : fine - end) <= bed->near_size) continue;
       const char* key = front ? "mesh.near_front" : "mesh.near_back";
-      found.warn(key, fmt::format("ends the fine zone at z = {:.4g} m, and \"{}\" reaches {:.4g} m: resistance grows with the size of the "
-                                  "cells at its end; make the fine zone reach beyond it",
-                                  fine, s.c.rigid[rigid].first, end));
+      found.warn(key,
+                 fmt::format("ends the fine zone at z = {:.4g} m, and \"{}\" reaches {:.4g} m: resistance increases with the size of the "
+                             "cells at its end; make the fine zone reach beyond it",
+                             fine, s.c.rigid[rigid].first, end));
     }
   });
 }
@@ -429,7 +430,7 @@ void is_the_surface_where_the_bed_ends(const Scene& s, Findings& found)
     const bool level = s.c.body[b].second.has_k0() && !loads_by_gravity(s.c, s.ground) && s.up_sign > 0;
     if (!level || height.to - s.c.surface < 0.3 * height.length()) continue;
     found.refuse("surface", fmt::format("is {}, and [body.{}] reaches up to {:.3g} m: embedment is measured from `surface`, and soil above "
-                                        "it has no stress at the start; set it to the level of the bed's surface",
+                                        "it has no stress at the start; set it to the level of the seabed",
                                         words_of(s.c.surface, "m"), s.c.body[b].first, height.to));
     return;
   }
@@ -456,7 +457,7 @@ void does_soil_fill_the_bed(const Scene& s, Findings& found)
     if ((region != std::string("layer") || bed->layer > 0) && !fills(region))
       found.warn(
           region == std::string("layer") ? "mesh.layer" : "mesh",
-          fmt::format("has a region \"{0}\" that no body fills, so the soil beside it is unsupported; add \"{0}\" to the regions of a "
+          fmt::format("has a region \"{0}\" that no body fills, so the adjacent soil is unsupported; add \"{0}\" to the regions of a "
                       "body",
                       region));
 }

@@ -19,7 +19,7 @@ void do_cells_resolve_the_random_soil(const Scene& s, Findings& found)
                  fmt::format("is {:.3g}: tan(phi) of sand has 0.05 to 0.15; is it that of the strength?", field.coefficient_of_variation));
     else if (field.coefficient_of_variation > largest_usual)
       found.warn(path + ".coefficient_of_variation",
-                 fmt::format("is {:.3g}: undrained strength has 0.1 to 0.5, stiffness 0.2 to 0.6; is it a number over 1, not per cent?",
+                 fmt::format("is {:.3g}: undrained strength has 0.1 to 0.5, stiffness 0.2 to 0.6; is it a ratio, not per cent?",
                              field.coefficient_of_variation));
     Real shortest = infinity;
     for (const std::optional<Real>& length : field.lengths())

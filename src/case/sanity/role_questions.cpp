@@ -85,7 +85,7 @@ void are_roles_those_of_what_stages_do(const Scene& s, Findings& found)
     const bool only_a_weight = role == StageRole::flooded || role == StageRole::emptied;
     if (place == none || !only_a_weight || !is_drag(s, k)) continue;
     found.warn(stage_key(k, "role"),
-               fmt::format("is \"{}\", and the stage moves the body along the bed: {} only the weight of a pipe changes; motions during "
+               fmt::format("is \"{}\", and the stage moves the body along the seabed: {} only the weight of a pipe changes; motions during "
                            "laying have the role \"lay\", later ones \"sweep\" or \"breakout\"",
                            life[place].second, role == StageRole::flooded ? "flooding" : "emptying"));
   }

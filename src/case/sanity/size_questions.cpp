@@ -60,14 +60,16 @@ void are_forces_those_of_soil(const Scene& s, Findings& found)
     const Real most = huge * weight + huge_for_clay * (deep && deep->friction_angle == 0 ? deep->cohesion * area : 0);
     const char* unit = s.c.force_dimension() == 2 ? "N/m" : "N";
     for (const Force& force : forces_of(s.c.stage[k])) {
-      const std::string key = stage_key(k, force.key),
-                        of_soil = fmt::format("the soil that \"{}\" can displace weighs {:.3g} {}", s.c.rigid[rigid].first, weight, unit);
+      const std::string key = stage_key(k, force.key), of_soil = fmt::format("the weight of the soil that \"{}\" can displace is {:.3g} {}",
+                                                                             s.c.rigid[rigid].first, weight, unit);
       if (force.presses && force.size < tiny * weight)
-        found.warn(key, fmt::format("is {:.3g} {}, almost nothing: {}, and a body on a seabed weighs between a tenth of that and ten times "
-                                    "that: is the unit right? A plain number is in {}: write \"{:.3g} k{}\" where that is meant",
-                                    force.size, unit, of_soil, unit, force.size, unit));
+        found.warn(
+            key,
+            fmt::format("is {:.3g} {}, almost nothing: {}, and the weight of a body on a seabed is between a tenth of that and ten times "
+                        "that: is the unit right? A plain number is in {}: write \"{:.3g} k{}\" where that is meant",
+                        force.size, unit, of_soil, unit, force.size, unit));
       else if (force.size > most)
-        found.warn(key, fmt::format("is {:.3g} {}, more than soil can carry: {}, and it fails under some hundred times that at most: is "
+        found.warn(key, fmt::format("is {:.3g} {}, more than soil can carry: {}, and it fails under a hundred times that: is "
                                     "the unit right (\"k{}\", not \"M{}\")?",
                                     force.size, unit, of_soil, unit, unit));
     }
@@ -107,11 +109,10 @@ void does_a_pushed_pipe_begin_at_the_surface(const Scene& s, Findings& found)
     const bool down = stage.kind == StageKind::push && stage.velocity.value_or(1) > 0 && stage.force.value_or(1) > 0;
     if (!down || !bodies::pipe_section(settings.shape) || !(w > rounding * width && w < half * width) || is_round(w / width)) continue;
     const Span& y = s.rigids[rigid].space[s.up];
-    found.warn(
-        fmt::format("rigid.{}.center", name),
-        fmt::format("puts the lowest point {} ({:.2g} D) below the surface of the bed, in a cavity without soil, and \"{}\" pushes it down "
-                    "from there: if it is to be pushed in from the surface, put the centre at {} (has the diameter changed since?)",
-                    words_of(w, "m"), w / width, stage.name, place_words((y.from + y.to) / 2 + s.up_sign * w)));
+    found.warn(fmt::format("rigid.{}.center", name),
+               fmt::format("puts the lowest point {} ({:.2g} D) below the seabed, in a cavity without soil, and \"{}\" pushes it down "
+                           "from there: if it is to be pushed in from the surface, put the centre at {} (has the diameter changed since?)",
+                           words_of(w, "m"), w / width, stage.name, place_words((y.from + y.to) / 2 + s.up_sign * w)));
   }
 }
 

@@ -150,7 +150,7 @@ void is_the_soil_a_soil(const Scene& s, Findings& found)
     constexpr Real cemented = 3;  // of the weight on it at the base
     if (strength->friction_angle > 20 * degree && weight > 0 && strength->cohesion > cemented * weight)
       found.warn(soil.key(strength_key(material)),
-                 fmt::format("is {:.3g} kPa beside a friction angle of {:.3g} deg, {:.2g} times the weight above the base of the bed: that "
+                 fmt::format("is {:.3g} kPa with a friction angle of {:.3g} deg, {:.2g} times the weight above the base of the bed: that "
                              "is rock; sand has 0, silt and clay drained 2 to 20 kPa: is the unit right (\"Pa\")?",
                              strength->cohesion / 1e3, degrees(strength->friction_angle), strength->cohesion / weight));
     if (strength->cohesion > 1e7)
@@ -432,12 +432,11 @@ void does_pressure_shake_the_clay(const Scene& s, Findings& found)
     const Real over = pressure / *strength;
     found.warn(
         fmt::format("body.{}.{}", s.c.body[b].first, s.c.body[b].second.has_k0() ? "k0" : "initial_stress"),
-        fmt::format(
-            "puts the clay at the rigid body under {:.2g} times its strength: particles that go from one cell to the next there jolt "
-            "the soil in proportion, and a slow drive loses {:.2g} % of its resistance or more on cells of any size "
-            "(docs/how_to/what_will_catch_you.md); take method = \"fem\", or about 8 times the strength where the pressure only "
-            "keeps the clay at the body",
-            over, 100 * loss * over));
+        fmt::format("gives the clay at the rigid body a pressure of {:.2g} times its strength: particles that change cells there disturb "
+                    "the soil in proportion, and a slow drive loses {:.2g} % of its resistance or more on cells of any size "
+                    "(docs/how_to/what_will_catch_you.md); take method = \"fem\", or about 8 times the strength where the pressure only "
+                    "keeps the clay at the body",
+                    over, 100 * loss * over));
     return;
   }
 }
@@ -459,11 +458,11 @@ void ask_of_each_soil(const Scene& s, const std::string& name, const contact::Co
     if (own)
       found.warn(
           fmt::format("contact.{}.soil[{}].friction_angle", name, beside - contact.soil.begin()),
-          fmt::format("is {:.3g} deg, more than that of [material.{}], {:.3g} deg: the soil beside it shears first; take at most that",
+          fmt::format("is {:.3g} deg, more than that of [material.{}], {:.3g} deg: the adjacent soil shears first; take at most that",
                       degrees(angle), soil.names[k], degrees(strength->friction_angle)));
     else
       found.warn(fmt::format("contact.{}.friction_angle", name),
-                 fmt::format("is {:.3g} deg beside [material.{}], too, whose own angle is {:.3g} deg: give the interface of each soil by "
+                 fmt::format("is {:.3g} deg for [material.{}], too, whose own angle is {:.3g} deg: give the interface of each soil by "
                              "itself, [[contact.{}.soil]] with material = \"{}\", friction_angle and adhesion or adhesion_factor",
                              degrees(angle), soil.names[k], degrees(strength->friction_angle), name, soil.names[k]));
   }
@@ -488,13 +487,13 @@ void is_the_interface_weaker_than_the_soil(const Scene& s, Findings& found)
     const Real cohesion = std::max(soil->cohesion, below ? below->cohesion : 0);
     if (contact.friction_angle < rough && std::tan(contact.friction_angle) > std::tan(soil->friction_angle) * (1 + rounding))
       found.warn(fmt::format("contact.{}.friction_angle", name),
-                 fmt::format("is {:.3g} deg, more than that of the soil, {:.3g} deg: the soil beside it shears first; take at most that of "
+                 fmt::format("is {:.3g} deg, more than that of the soil, {:.3g} deg: the adjacent soil shears first; take at most that of "
                              "the soil, two thirds of it for a smooth coating",
                              degrees(contact.friction_angle), degrees(soil->friction_angle)));
     if (contact.adhesion > cohesion * (1 + rounding))
       found.warn(
           fmt::format("contact.{}.adhesion", name),
-          fmt::format("is {:.3g} Pa, more than the cohesion of the soil, {:.3g} Pa: the soil beside it shears first; take at most that",
+          fmt::format("is {:.3g} Pa, more than the cohesion of the soil, {:.3g} Pa: the adjacent soil shears first; take at most that",
                       contact.adhesion, cohesion));
   }
 }
@@ -527,10 +526,11 @@ void may_the_sand_rest(const Scene& s, Findings& found)
   if (!s.c.mpm.active_distance) return;
   for (const Soil& soil : yielding(s))
     if (const std::optional<material::Strength> strength = strength_at_rest(soil.material); strength && strength->friction_angle > 0)
-      return found.warn("mpm.active_distance", fmt::format("makes some sand rest, [material.{}]: with 3 D the sand in a drag vibrated more "
-                                                           "and H was 15 to 23 % smaller (docs/how_to/what_will_catch_you.md); leave it "
-                                                           "out, or compare with a run without it",
-                                                           soil.name));
+      return found.warn("mpm.active_distance",
+                        fmt::format("makes part of the sand inactive, [material.{}]: with 3 D the sand in a drag vibrated more "
+                                    "and H was 15 to 23 % smaller (docs/how_to/what_will_catch_you.md); leave it "
+                                    "out, or compare with a run without it",
+                                    soil.name));
 }
 
 void do_tractions_press(const Scene& s, Findings& found)

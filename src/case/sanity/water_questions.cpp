@@ -24,24 +24,26 @@ void is_the_soil_as_heavy_as_in_water(const Scene& s, Findings& found)
       const bool as_weight = s.places.has(weight);
       if (!yields(asked)) continue;
       if (own >= 100 && own < lightest)
-        found.warn(as_weight ? weight : path + "density",
-                   fmt::format("is {:.3g} kg/m3, {:.2g} kN/m3: even very soft clay weighs 3 kN/m3 in water, sand 8 to 11: is the unit "
-                               "right? submerged_unit_weight takes it in kN/m^3",
-                               own, own * standard_gravity / 1e3));
+        found.warn(
+            as_weight ? weight : path + "density",
+            fmt::format(
+                "is {:.3g} kg/m3, {:.2g} kN/m3: the effective unit weight of very soft clay is 3 kN/m3, of sand 8 to 11: is the unit "
+                "right? submerged_unit_weight takes it in kN/m^3",
+                own, own * standard_gravity / 1e3));
       if (own < heaviest_in_water || own > 4000) continue;
       const std::optional<material::Strength> strength = strength_at_rest(asked);
       const bool is_clay = strength && strength->friction_angle == 0;  // no undrained strength without water
       const std::string why = as_weight                  ? "the effective unit weight of soil is 3 to 12 kN/m3, the saturated one 14 to 22"
                               : has_pore_pressure(asked) ? "the pore pressure carries the weight of its water, and density gives the rest"
                               : inertia_density(asked) != own && inertia_density(asked) < heaviest_saturated
-                                  ? "inertia_density is that of the soil with its water, so density is to give the effective unit weight"
+                                  ? "inertia_density is the saturated density, so density has to give the effective unit weight"
                               : seabed && (own >= heaviest_dry || is_clay)
                                   ? "it is that of soil with water in its pores, and a seabed lies in water"
                                   : "";
       if (why.empty()) continue;
       found.warn(
           as_weight ? weight : path + "density",
-          fmt::format("is {:.4g} kg/m3: {}; if it lies in water write submerged_unit_weight = \"{:.2g} kN/m^3\", that of this density less "
+          fmt::format("is {:.4g} kg/m3: {}; if it is submerged write submerged_unit_weight = \"{:.2g} kN/m^3\", that of this density less "
                       "water",
                       own, why, (own - sea_water) * standard_gravity / 1e3));
     }

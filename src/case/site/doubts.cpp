@@ -80,7 +80,7 @@ std::vector<std::string> doubts_of_rows(const Sounding& sounding, Real base)
   std::vector<std::string> doubts = sounding.notes;
   if (const auto left_out = sounding.rows - static_cast<Index>(sounding.depth.size());
       static_cast<Real>(left_out) > most_left_out * static_cast<Real>(sounding.rows))
-    doubts.push_back(fmt::format("{} of {} rows are left out: look at the file", left_out, sounding.rows));
+    doubts.push_back(fmt::format("{} of {} rows are left out: check the file", left_out, sounding.rows));
   if (sounding.depth.front() > most_first_depth * (1 + 1e-9))
     doubts.push_back(fmt::format("the first reading is at {:.2f} m: the strength from the seabed to there, the depth of a pipe, is that of "
                                  "the first layer; replace it by your own",

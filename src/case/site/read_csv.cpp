@@ -47,7 +47,7 @@ void take_comment(Table& table, const std::string& line, int number)
 {
   const std::size_t equals = line.find_first_of("=:");
   if (equals == std::string::npos || letters_of(input::fields_of(line.substr(1, equals - 1), ',')[0]) != "arearatio") return;
-  if (table.area_ratio) throw InputError(fmt::format("{}area_ratio stands in the file twice", at(table.file, number)));
+  if (table.area_ratio) throw InputError(fmt::format("{}area_ratio occurs twice in the file", at(table.file, number)));
   // Behind the number a program that writes tables may leave separators, one for each column.
   std::string value = line.substr(equals + 1);
   value.resize(value.find_last_not_of(",;\t \r") + 1);

@@ -57,7 +57,7 @@ Real depth_of(const std::vector<std::string>& fields, const std::string& file, i
   try {
     return number_of(fields[1], file, line, of) * input::to_si("1 " + unit, "m");
   } catch (const input::UnitError&) {
-    throw InputError(fmt::format("{}{}: {} is no unit of a depth, such as m", at(file, line), of, input::in_quotes(unit)));
+    throw InputError(fmt::format("{}{}: {} is not a unit of a depth, such as m", at(file, line), of, input::in_quotes(unit)));
   }
 }
 
@@ -72,7 +72,7 @@ void take(Header& header, const std::string& file, int line, const std::string& 
     const auto known = quantities.find(whole(3));
     const Column column = {known == quantities.end() ? Reading::other : known->second, fields[2], fields[1], line, ""};
     if (!header.columns.emplace(whole(0), column).second)
-      throw InputError(fmt::format("{}#COLUMNINFO of column {} stands in the file twice", at(file, line), whole(0)));
+      throw InputError(fmt::format("{}#COLUMNINFO of column {} occurs twice in the file", at(file, line), whole(0)));
   } else if (key == "COLUMNVOID") {
     header.no_value[whole(0)] = fields[1];
   } else if (key == "MEASUREMENTVAR") {

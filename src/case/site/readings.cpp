@@ -55,7 +55,7 @@ Real factor_of(const Table& table, const Column& column)
   try {
     return input::to_si("1 " + column.unit, unit);
   } catch (const input::UnitError&) {
-    throw InputError(fmt::format("{}: {} is no unit of the {}, which is {}", where, input::in_quotes(column.unit), word, what));
+    throw InputError(fmt::format("{}: {} is not a unit of the {}, which is {}", where, input::in_quotes(column.unit), word, what));
   }
 }
 

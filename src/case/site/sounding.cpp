@@ -53,7 +53,7 @@ Real number_of(const std::string& text, const std::string& file, int line, const
 {
   if (const std::optional<Real> number = input::number_in(text)) return *number;
   const std::string fault = input::fault_of_commas(text);
-  throw InputError(fmt::format("{}{}: {} {}", at(file, line), of, input::in_quotes(text), fault.empty() ? "is no number" : fault));
+  throw InputError(fmt::format("{}{}: {} {}", at(file, line), of, input::in_quotes(text), fault.empty() ? "is not a number" : fault));
 }
 
 std::optional<Real> area_ratio_of(const std::string& text, const std::string& file, int line, const std::string& of)

@@ -36,10 +36,10 @@ Real dilation_angle(Real phi)
 std::string without_strength(const std::string& comment, bool first)
 {
   static const std::vector<std::pair<std::regex, const char*>> strengths = {
-      {std::regex("s_u = [0-9.]+ kPa \\+ [0-9.]+ kPa/m z"), "s_u by the sounding"},
+      {std::regex("s_u = [0-9.]+ kPa \\+ [0-9.]+ kPa/m z"), "s_u from the sounding"},
       {std::regex("; E = [0-9.]+ [kM]Pa"), ""},
-      {std::regex("phi = [0-9.]+ deg, (dilation|psi =) [0-9.]+ deg"), "phi and psi by the sounding"},
-      {std::regex("phi = [0-9.]+ deg"), "phi and psi by the sounding"}};
+      {std::regex("phi = [0-9.]+ deg, (dilation|psi =) [0-9.]+ deg"), "phi and psi from the sounding"},
+      {std::regex("phi = [0-9.]+ deg"), "phi and psi from the sounding"}};
   std::string text = comment;
   for (const auto& [strength, words] : strengths) text = std::regex_replace(text, strength, words);
   const bool of_template = text.starts_with("# Undrained") || text.starts_with("# Drained");

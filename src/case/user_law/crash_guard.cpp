@@ -32,7 +32,7 @@ void say(const char* text)
   say("berm: error: ");
   say(called);
   say(what);
-  say("; what the run folder holds is whole\n");
+  say("; the files in the run folder are complete\n");
   ::syscall(SYS_exit_group, EXIT_FAILURE);
   ::abort();
 }

@@ -92,7 +92,7 @@ Library open_library(const fs::path& file, const std::string& wanted_sha256)
   if (!read.fault.empty()) throw InputError(fmt::format("{}: {}", file.string(), read.fault));
   const std::string hash = io::sha256_of(read.bytes);
   if (!wanted_sha256.empty() && wanted_sha256 != hash)
-    throw InputError(fmt::format("{} is another file than the one with the SHA-256 {}: it is {}", file.string(), wanted_sha256, hash));
+    throw InputError(fmt::format("{} does not have the SHA-256 {}: it has {}", file.string(), wanted_sha256, hash));
   // A library is loaded once. Its file stays open: the loader knows it by that name, and would take another of the same name for it.
   struct Loaded {
     std::unique_ptr<const SealedFile> sealed;

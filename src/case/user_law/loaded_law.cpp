@@ -111,7 +111,7 @@ void LoadedLaw::note_failure(const Before& before, const UserIncrement& incremen
 {
   const std::lock_guard lock(notes_);
   if (failed_) return;
-  const char* why = answer == Answer::failed    ? "says that it failed"
+  const char* why = answer == Answer::failed    ? "reports failure"
                     : answer == Answer::smaller ? "still asks for a smaller increment after ten halvings"
                                                 : "gave a stress or a state variable that is not a number or infinite";
   failure_ = fmt::format("{} {}, for the stress ({}) Pa and the strain increment ({}) (xx, yy, zz, xy, yz, zx; engineering shear) "

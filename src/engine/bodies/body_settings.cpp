@@ -26,7 +26,7 @@ void describe(Describe& d, DiskSettings& disk)
 void describe(Describe& d, SoilLayerSettings& layer)
 {
   d.value("top", layer.top,
-          {.meaning = "depth of its top below the bed's surface at the start", .unit = "m", .range = positive, .required = true});
+          {.meaning = "depth of its top below the seabed at the start", .unit = "m", .range = positive, .required = true});
   d.value("material", layer.material, {.meaning = "name of its [material.NAME]", .required = true});
   d.value("k0", layer.k0,
           {.meaning = "ratio of horizontal to vertical stress at the start in it; left out, that of the body", .range = {0, 5}});

@@ -13,8 +13,9 @@ void describe(Describe& d, MotionSettings& motion)
       "stages", motion.stages,
       {.meaning = "names of the stages in which it acts, from the start of each; in others the boundary does not move", .required = true});
   d.value("table", motion.table,
-          {.meaning = "CSV file, beside the case file, of the time since the start of such a stage and the velocities: its first line is "
-                      "time_s,x_m_s, with any of the columns x, y, z. Linear between its rows, constant after"});
+          {.meaning =
+               "CSV file, relative to the case file, of the time since the start of such a stage and the velocities: its first line is "
+               "time_s,x_m_s, with any of the columns x, y, z. Linear between its rows, constant after"});
   d.value("times", motion.times,
           {.meaning = "instead of a table: times since the start of such a stage, the first one 0", .unit = "s", .range = not_negative});
   for (std::size_t k = 0; k < motion.velocity.size(); ++k)
@@ -113,7 +114,7 @@ std::string fault_of_row(const std::vector<Real>& times, std::size_t row)
                        "the boundary from there on",
                        times[0]);
   if (row > 0 && !(times[row] > times[row - 1]))
-    return "times must ascend, and none may stand twice: a boundary cannot jump to another velocity";
+    return "times must ascend, and none may occur twice: a boundary cannot jump to another velocity";
   return "";
 }
 

@@ -51,10 +51,10 @@ void describe(Describe& d, TractionSettings& traction)
   d.value("boundary", traction.boundary,
           {.meaning = "boundary of the mesh; the soil that is at it at the start is loaded, and the load moves with it", .required = true});
   d.value("stress", traction.stress,
-          {.meaning = "force over area at the start, one number per direction, such as [0, \"-100 kPa\"]; its direction is constant",
+          {.meaning = "force per area at the start, one number per direction, such as [0, \"-100 kPa\"]; its direction is constant",
            .unit = "Pa"});
   d.value("pressure", traction.pressure,
-          {.meaning = "instead of stress: force over area against the soil, at a right angle to the boundary at the start; its "
+          {.meaning = "instead of stress: force per area against the soil, at a right angle to the boundary at the start; its "
                       "direction is constant",
            .unit = "Pa"});
   d.value(

@@ -10,8 +10,9 @@ void describe(Describe& d, SoilInterfaceSettings& soil)
 {
   d.value("material", soil.material, {.meaning = "name of a [material.NAME] of the body", .required = true});
   d.value("friction_angle", soil.friction_angle,
-          {.meaning = "Coulomb friction angle beside it", .unit = "rad", .range = {0, 89.9 * degree}, .required = true});
-  d.value("adhesion", soil.adhesion, {.meaning = "shear strength without normal stress beside it", .unit = "Pa", .range = not_negative});
+          {.meaning = "Coulomb friction angle of the interface with it", .unit = "rad", .range = {0, 89.9 * degree}, .required = true});
+  d.value("adhesion", soil.adhesion,
+          {.meaning = "shear strength of the interface with it at zero normal stress", .unit = "Pa", .range = not_negative});
   d.value("adhesion_factor", soil.adhesion_factor,
           {.meaning = "instead of `adhesion`: fraction of the current undrained shear strength", .range = {0, 1}});
 }
@@ -24,15 +25,14 @@ void describe(Describe& d, ContactSettings& contact)
   d.value("friction_angle", contact.friction_angle,
           {.meaning = "Coulomb friction angle of the interface", .unit = "rad", .range = {0, 89.9 * degree}, .required = true});
   d.value("adhesion", contact.adhesion,
-          {.meaning = "shear strength of the interface without normal stress", .unit = "Pa", .range = not_negative});
+          {.meaning = "shear strength of the interface at zero normal stress", .unit = "Pa", .range = not_negative});
   d.value("adhesion_factor", contact.adhesion_factor,
-          {.meaning = "alpha, instead of `adhesion`: adhesion over the current undrained shear strength of the soil beside the interface",
+          {.meaning = "alpha, instead of `adhesion`: adhesion divided by the current undrained shear strength of the soil at the interface",
            .range = {0, 1}});
-  d.value(
-      "adhesion_sensitivity", contact.adhesion_sensitivity,
-      {.meaning =
-           "adhesion before sliding over that after much sliding; it falls exponentially with the slip of a particle; 1 = it does not fall",
-       .range = {1, 1000}});
+  d.value("adhesion_sensitivity", contact.adhesion_sensitivity,
+          {.meaning =
+               "adhesion before sliding divided by that after large slip; it falls exponentially with the slip of a particle; 1 = constant",
+           .range = {1, 1000}});
   d.value("adhesion_ductility", contact.adhesion_ductility,
           {.meaning = "slip after which 95 % of the loss of adhesion has occurred", .unit = "m", .range = not_negative});
   d.value("tension", contact.tension,

@@ -14,7 +14,7 @@ namespace berm::material {
 void describe(Describe& d, Clay& law)
 {
   d.value("rigidity_index", law.rigidity_index,
-          {.meaning = "shear modulus over the intact undrained strength, G / s_u, instead of young_modulus", .range = positive});
+          {.meaning = "shear modulus divided by the intact undrained strength, G / s_u, instead of young_modulus", .range = positive});
   describe_elasticity(d, law, !law.rigidity_index);
   describe_shansep(d, law);
   d.value("undrained_strength", law.undrained_strength,
@@ -23,11 +23,11 @@ void describe(Describe& d, Clay& law)
            .range = not_negative,
            .required = law.profile.strength.empty() && !law.shansep});
   d.value("undrained_strength_gradient", law.undrained_strength_gradient,
-          {.meaning = "increase of the undrained strength with depth below the bed's surface at the start; a particle keeps that of its "
+          {.meaning = "increase of the undrained strength with depth below the seabed at the start; a particle keeps that of its "
                       "initial position",
            .unit = "Pa/m"});
   d.value("sensitivity", law.sensitivity,
-          {.meaning = "intact over fully remoulded strength; 1: the clay does not soften", .range = {1, 1000}});
+          {.meaning = "intact divided by fully remoulded strength; 1: the clay does not soften", .range = {1, 1000}});
   d.value("ductility", law.ductility,
           {.meaning =
                "plastic shear strain at which 95 % of the strength loss by remoulding has occurred, xi_95 (10 to 50 for most clays); "
@@ -41,15 +41,16 @@ void describe(Describe& d, Clay& law)
            .unit = "1/s",
            .range = not_negative});
   d.value("rate_scale", law.rate_scale,
-          {.meaning = "rate of the real motion over that of the model, which may be faster than the real pipe", .range = positive});
+          {.meaning = "rate of the real motion divided by that of the model, which may be faster than the real pipe", .range = positive});
   d.value("rate_smoothing", law.rate_smoothing,
           {.meaning = "time over which the rate is averaged; left out: the time in which the driven body travels D/100 in the material "
                       "point method, and none in finite elements",
            .unit = "s",
            .range = not_negative});
   d.value("softening_length", law.softening_length,
-          {.meaning = "width of shear bands: plastic shear strain softens by the size of the cells over this length, so that results for "
-                      "brittle clay depend less on the mesh; left out: not scaled",
+          {.meaning =
+               "width of shear bands: softening by plastic shear strain is scaled by cell size divided by this length, so that results for "
+               "brittle clay depend less on the mesh; left out: not scaled",
            .unit = "m",
            .range = positive});
   declare_usual(d, {{"undrained_strength", {0, hard_clay}},
@@ -94,10 +95,10 @@ YoungPoisson young_poisson(const Clay& law)
 std::vector<FieldInfo> state_fields(const Clay& law)
 {
   const auto shown_if = [](bool shown) { return shown ? everywhere : everywhere & ~to_frame; };
-  return {
-      {"plastic_shear", "plastic shear strain", ""},
-      {"rate_part", "strength added by the strain rate, over the strength at the reference rate", "", 1, shown_if(law.rate_parameter > 0)},
-      {"strength_change", "undrained strength over the intact one, minus 1", "", 1, shown_if(law.sensitivity > 1)}};
+  return {{"plastic_shear", "plastic shear strain", ""},
+          {"rate_part", "strength added by the strain rate, divided by the strength at the reference rate", "", 1,
+           shown_if(law.rate_parameter > 0)},
+          {"strength_change", "undrained strength divided by the intact one, minus 1", "", 1, shown_if(law.sensitivity > 1)}};
 }
 
 std::optional<Strength> strength_at_rest(const Clay& law)

@@ -35,7 +35,7 @@ struct Clay {
   Real ductility = 0;                    ///< xi_95; 0 where the sensitivity is 1
   Real rate_parameter = 0;               ///< relative increase of the strength per tenfold rate
   Real reference_rate = 0;               ///< 1/s
-  Real rate_scale = 1;                   ///< rate of the real motion over that of the model
+  Real rate_scale = 1;                   ///< rate of the real motion divided by that of the model
   std::optional<Real> rate_smoothing;    ///< s; empty: 0 until with_rate_smoothing
   std::optional<Real> softening_length;  ///< m; empty: none
   Real young_modulus_gradient = 0;       ///< Pa/m, increase with depth

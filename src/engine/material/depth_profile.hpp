@@ -29,7 +29,7 @@ template <class Law>
 void describe(Describe& d, ProfileOf<Law>& profile)
 {
   d.value("depth", profile.depth,
-          {.meaning = "depths below the bed's surface, the smallest first", .unit = "m", .range = not_negative, .required = true});
+          {.meaning = "depths below the seabed, the smallest first", .unit = "m", .range = not_negative, .required = true});
   if constexpr (Law::strength_key != nullptr)
     d.value(Law::strength_key, profile.strength,
             {.meaning = "strength at these depths, instead of the key of the same name above", .unit = "Pa", .range = not_negative});

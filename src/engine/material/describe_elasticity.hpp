@@ -21,7 +21,7 @@ void describe_weight(Describe& d, Law& law)
   std::optional<Real> density, weight;
   if (law.density > 0) density = law.density;
   d.value("density", density,
-          {.meaning = "mass per volume, which gives the weight: for submerged soil its submerged unit weight over gravity",
+          {.meaning = "mass per volume, which gives the weight: for submerged soil its submerged unit weight divided by gravity",
            .unit = "kg/m^3",
            .range = positive});
   d.value("submerged_unit_weight", weight,
@@ -48,7 +48,7 @@ template <class Law>
 void describe_elasticity(Describe& d, Law& law, bool needs_modulus = true)
 {
   describe_density(d, law);
-  d.optional_table("profile", law.profile, {.meaning = "values over depth, linear between the entries and constant beyond them"});
+  d.optional_table("profile", law.profile, {.meaning = "values by depth, linear between the entries and constant beyond them"});
   d.value("young_modulus", law.young_modulus,
           {.meaning = "Young's modulus",
            .unit = "Pa",
@@ -56,8 +56,7 @@ void describe_elasticity(Describe& d, Law& law, bool needs_modulus = true)
            .required = needs_modulus && law.profile.young_modulus.empty()});
   if (law.young_modulus == 0 && !law.profile.young_modulus.empty()) law.young_modulus = law.profile.young_modulus.front();
   d.value("young_modulus_gradient", law.young_modulus_gradient,
-          {.meaning =
-               "increase of Young's modulus with depth below the bed's surface at the start; a particle keeps that of its initial position",
+          {.meaning = "increase of Young's modulus with depth below the seabed at the start; a particle keeps that of its initial position",
            .unit = "Pa/m"});
   d.value("poisson_ratio", law.poisson_ratio, {.meaning = "Poisson's ratio", .range = {0, 0.495}, .required = true});
 }

@@ -6,7 +6,7 @@ namespace berm::material {
 void describe_deviatoric_shape(Describe& d, DeviatoricShape& shape)
 {
   d.choice("deviatoric_shape", shape, {"circle", "matsuoka_nakai"},
-           {.meaning = "strength over the direction of the deviator: the stress ratio of triaxial compression in all directions; or by "
+           {.meaning = "strength by direction of the deviator: the stress ratio of triaxial compression in all directions; or by "
                        "Matsuoka and Nakai, the friction angle of triaxial compression in triaxial extension, and about 4 deg more in "
                        "plane strain"});
 }

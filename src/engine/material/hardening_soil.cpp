@@ -161,14 +161,15 @@ void describe(Describe& d, HardeningSoil& law)
            .required = true});
   d.value("reference_pressure", law.reference_pressure, {.meaning = "p_ref, to which the moduli refer", .unit = "Pa", .range = positive});
   d.value("failure_ratio", law.failure_ratio,
-          {.meaning = "R_f: strength over the asymptote of the hyperbola of stress and strain", .range = {0.1, 0.99}});
+          {.meaning = "R_f: strength divided by the asymptote of the hyperbola of stress and strain", .range = {0.1, 0.99}});
   d.value("virgin_k0", law.virgin_k0,
-          {.meaning =
-               "K0_nc: horizontal over vertical effective stress in virgin one-dimensional compression; left out: 1 - sin(friction_angle)",
+          {.meaning = "K0_nc: ratio of horizontal to vertical effective stress in virgin one-dimensional compression; left out: 1 - "
+                      "sin(friction_angle)",
            .range = {0.05, 0.9}});
-  d.value("overconsolidation_ratio", law.overconsolidation_ratio,
-          {.meaning = "largest past vertical effective stress over that at the start; 1: the surfaces pass through the initial stress",
-           .range = {1, infinity}});
+  d.value(
+      "overconsolidation_ratio", law.overconsolidation_ratio,
+      {.meaning = "largest past vertical effective stress divided by that at the start; 1: the surfaces pass through the initial stress",
+       .range = {1, infinity}});
   d.value("small_strain_shear_modulus", law.small_strain_shear_modulus,
           {.meaning =
                "G0_ref: shear modulus at very small strains where the smallest principal stress is reference_pressure; left out: that of "
@@ -209,7 +210,7 @@ void check(Describe& d, const std::string& path, const HardeningSoil& law)
           "and small_strain_shear_modulus belong together: give both or none");
   const Real unloading = elasticity(law.unloading_modulus, law.poisson_ratio).shear;
   d.check(!law.small_strain_shear_modulus || *law.small_strain_shear_modulus > unloading, path + ".small_strain_shear_modulus",
-          fmt::format("must be larger than the shear modulus of unloading_modulus, {:.4g} Pa", unloading));
+          fmt::format("must be larger than the shear modulus from unloading_modulus, {:.4g} Pa", unloading));
   check_pressures(d, path, law);
 }
 
@@ -233,7 +234,7 @@ std::vector<FieldInfo> state_fields(const HardeningSoil& law)
     fields.push_back(
         {std::string("strain_since_reversal_") + of, std::string("deviatoric strain since the last reversal, ") + of, "", 1, travel});
   fields.push_back({"largest_branch_strain", "largest shear strain since the last reversal", "", 1, travel});
-  fields.push_back({"branch_retreat", "shear strain come back since then", "", 1, travel});
+  fields.push_back({"branch_retreat", "shear strain reversed since then", "", 1, travel});
   fields.push_back({"first_loading_strain", "largest shear strain of first loading", ""});
   fields.push_back({"branch_start", "shear strain between the end of first loading and the last reversal", "", 1, travel});
   return fields;

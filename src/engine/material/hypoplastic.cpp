@@ -25,27 +25,29 @@ void describe(Describe& d, Hypoplastic& law)
           {.meaning = "e_c0: void ratio of the critical state at zero pressure, about e_max", .range = positive, .required = true});
   d.value("max_void_ratio", law.max_void_ratio,
           {.meaning = "e_i0: largest void ratio at zero pressure, about 1.15 e_max", .range = positive, .required = true});
-  d.value(
-      "dilatancy_exponent", law.dilatancy_exponent,
-      {.meaning = "alpha: how much strength and dilatancy at the peak grow with density; 0.1 to 0.3", .range = {0, 1}, .required = true});
+  d.value("dilatancy_exponent", law.dilatancy_exponent,
+          {.meaning = "alpha: how much strength and dilatancy at the peak increase with density; 0.1 to 0.3",
+           .range = {0, 1},
+           .required = true});
   d.value("stiffness_exponent", law.stiffness_exponent,
-          {.meaning = "beta: how much stiffness grows with density; 1 to 2.5", .range = {0, 5}, .required = true});
+          {.meaning = "beta: how much stiffness increases with density; 1 to 2.5", .range = {0, 5}, .required = true});
   d.value("void_ratio", law.void_ratio, {.meaning = "void ratio at the start; or relative_density", .range = positive});
   d.value(
       "relative_density", law.relative_density,
       {.meaning = "(e_c - e) / (e_c - e_d) at the start, at its pressure: 0 at the critical state, 1 at the densest", .range = {-1, 1}});
   d.value("small_strain", law.small_strain,
-          {.meaning =
-               "R: range of strain with the stiffness after a reversal; left out: no intergranular strain, and strains that go to and "
-               "fro accumulate too much",
+          {.meaning = "R: range of strain with the stiffness after a reversal; left out: no intergranular strain, and cyclic "
+                      "strains accumulate too much",
            .range = {0, 0.01}});
   d.value("reversal_stiffness", law.reversal_stiffness,
-          {.meaning = "m_R: stiffness after the strain has turned by 180 degrees, over that of a long path; 2 to 6", .range = {0, 50}});
-  d.value("turn_stiffness", law.turn_stiffness, {.meaning = "m_T: the same after a turn by 90 degrees; 1 to m_R", .range = {0, 50}});
+          {.meaning = "m_R: stiffness after a reversal of the strain (180 degrees), divided by that after a long monotonic path; 2 to 6",
+           .range = {0, 50}});
+  d.value("turn_stiffness", law.turn_stiffness,
+          {.meaning = "m_T: the same after a change of direction by 90 degrees; 1 to m_R", .range = {0, 50}});
   d.value("evolution_exponent", law.evolution_exponent,
-          {.meaning = "beta_r: how soon the intergranular strain follows; 0.05 to 0.5", .range = {0, 5}});
+          {.meaning = "beta_r: how quickly the intergranular strain evolves; 0.05 to 0.5", .range = {0, 5}});
   d.value("decay_exponent", law.decay_exponent,
-          {.meaning = "chi: how soon the stiffness after a turn of the strain is lost; 1 to 6", .range = {0, 20}});
+          {.meaning = "chi: how quickly the stiffness after a change of direction decays; 1 to 6", .range = {0, 20}});
   describe_pressure_limits(d, law);
   declare_usual(d, {{"critical_friction_angle", {25 * degree, 40 * degree}},
                     {"granular_hardness", {3e6, 5e10}},

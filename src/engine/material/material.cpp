@@ -3,6 +3,8 @@
 
 #include "material/laws.hpp"
 
+#include <fmt/format.h>
+
 namespace berm::material {
 
 Material::Material() : Material(LinearElastic{}) {}
@@ -35,10 +37,10 @@ void check(Describe& d, const std::string& path, const Material& material)
       material);
   d.check(!std::isnan(density(material)), path + ".submerged_unit_weight", "cannot be combined with density: give one of them");
   d.check(density(material) != 0, path + ".density", "is missing, or submerged_unit_weight instead");
-  d.check(
-      !(inertia_density(material) < density(material)), path + ".inertia_density",
-      "cannot be less than the density of the weight, submerged_unit_weight / 9.81 m/s2 or `density`: the soil that moves has its water as "
-      "well, 1400 to 2200 kg/m^3");
+  d.check(!(inertia_density(material) < density(material)), path + ".inertia_density",
+          fmt::format("is {:.4g} kg/m^3, less than the density that gives the weight, {:.4g} kg/m^3 (submerged_unit_weight / 9.81 m/s2, or "
+                      "`density`): it is that of the saturated soil, 1400 to 2200 kg/m^3",
+                      inertia_density(material), density(material)));
 }
 
 // What the law of a material says by itself.

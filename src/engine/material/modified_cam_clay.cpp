@@ -17,14 +17,14 @@ void describe(Describe& d, ModifiedCamClay& law)
            .range = {1e-3, 1.2},
            .required = true});
   d.value("compression_index", law.compression_index,
-          {.meaning = "lambda, the slope of virgin compression in void ratio over log(p'), natural logarithm",
+          {.meaning = "lambda, the slope of virgin compression in void ratio against log(p'), natural logarithm",
            .range = positive,
            .required = true});
   d.value("swelling_index", law.swelling_index,
           {.meaning = "kappa, the slope of unloading and reloading, less than compression_index", .range = positive, .required = true});
   d.value("void_ratio", law.void_ratio, {.meaning = "void ratio at the start", .range = positive, .required = true});
   d.value("overconsolidation_ratio", law.overconsolidation_ratio,
-          {.meaning = "largest past vertical effective stress over that at the start", .range = {1, infinity}});
+          {.meaning = "largest past vertical effective stress divided by that at the start", .range = {1, infinity}});
   describe_deviatoric_shape(d, law.deviatoric_shape);
   describe_pressure_elasticity(d, law);
   declare_usual(d, {{"critical_friction_angle", {10 * degree, 45 * degree}},

@@ -18,7 +18,7 @@ void describe(Describe& d, MohrCoulomb& law)
   d.value("cohesion", law.cohesion,
           {.meaning = "cohesion; the undrained strength where friction_angle is 0", .unit = "Pa", .range = not_negative});
   d.value("cohesion_gradient", law.cohesion_gradient,
-          {.meaning = "increase of the cohesion with depth below the bed's surface at the start; a particle keeps the cohesion of its "
+          {.meaning = "increase of the cohesion with depth below the seabed at the start; a particle keeps the cohesion of its "
                       "initial position",
            .unit = "Pa/m"});
   d.value("friction_angle", law.friction_angle,

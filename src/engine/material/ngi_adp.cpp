@@ -13,7 +13,7 @@ namespace berm::material {
 void describe(Describe& d, NgiAdp& law)
 {
   d.value("rigidity_index", law.rigidity_index,
-          {.meaning = "shear modulus of unloading and reloading over the active strength, G_ur / s_u^A, instead of young_modulus",
+          {.meaning = "shear modulus of unloading and reloading divided by the active strength, G_ur / s_u^A, instead of young_modulus",
            .range = positive});
   describe_elasticity(d, law, !law.rigidity_index);
   describe_shansep(d, law);
@@ -23,13 +23,14 @@ void describe(Describe& d, NgiAdp& law)
            .range = not_negative,
            .required = law.profile.strength.empty() && !law.shansep});
   d.value("undrained_strength_gradient", law.undrained_strength_gradient,
-          {.meaning = "increase of the active strength with depth below the bed's surface at the start; a particle keeps that of its "
+          {.meaning = "increase of the active strength with depth below the seabed at the start; a particle keeps that of its "
                       "initial position",
            .unit = "Pa/m"});
-  d.value("dss_ratio", law.dss_ratio,
-          {.meaning = "strength in direct simple shear over that in active shear, s_u^DSS / s_u^A", .range = positive, .required = true});
+  d.value(
+      "dss_ratio", law.dss_ratio,
+      {.meaning = "strength in direct simple shear divided by that in active shear, s_u^DSS / s_u^A", .range = positive, .required = true});
   d.value("passive_ratio", law.passive_ratio,
-          {.meaning = "strength in passive shear (triaxial extension) over that in active shear, s_u^P / s_u^A",
+          {.meaning = "strength in passive shear (triaxial extension) divided by that in active shear, s_u^P / s_u^A",
            .range = positive,
            .required = true});
   const auto strain = [&](const char* key, Real& value, const char* meaning) {
@@ -42,7 +43,7 @@ void describe(Describe& d, NgiAdp& law)
          "shear strain from the start to failure in passive shear, e1 - e3: in undrained triaxial extension 3/2 of the axial strain");
   d.value("initial_mobilisation", law.initial_mobilisation,
           {.meaning =
-               "shear stress at rest over the active strength, tau_0 / s_u^A = (1 - K0) sigma'_v0 / (2 s_u^A): give the k0 that goes "
+               "shear stress at rest divided by the active strength, tau_0 / s_u^A = (1 - K0) sigma'_v0 / (2 s_u^A): give the k0 that goes "
                "with it",
            .range = {-1, 1}});
   declare_usual(d, {{"undrained_strength", {0, hard_clay}},
@@ -97,7 +98,7 @@ std::string law_name(const NgiAdp&)
 
 std::vector<FieldInfo> state_fields(const NgiAdp&)
 {
-  return {{"failure_strain_part", "plastic shear strain over that at failure", ""}};
+  return {{"failure_strain_part", "plastic shear strain divided by that at failure", ""}};
 }
 
 void initial_state(const NgiAdp& law, const SymTensor<3>& stress, Real* state)

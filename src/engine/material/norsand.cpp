@@ -37,7 +37,7 @@ void describe(Describe& d, NorSand& law)
            .range = {0, 0.9},
            .required = true});
   d.value("dilatancy", law.dilatancy,
-          {.meaning = "chi_tc: least dilatancy over the state parameter, D_min = chi_tc psi, in triaxial compression; 2.5 to 4.5",
+          {.meaning = "chi_tc: least dilatancy divided by the state parameter, D_min = chi_tc psi, in triaxial compression; 2.5 to 4.5",
            .range = positive,
            .required = true});
   d.value("hardening_modulus", law.hardening_modulus,
@@ -48,19 +48,20 @@ void describe(Describe& d, NorSand& law)
           {.meaning = "psi at the start: void ratio less that of the critical state at the same p', below 0 in dense sand",
            .range = {-0.5, 0.5}});
   d.value("overconsolidation_ratio", law.overconsolidation_ratio,
-          {.meaning = "largest past p' over that at the start, at the same q / p'", .range = {1, infinity}});
+          {.meaning = "largest past p' divided by that at the start, at the same q / p'", .range = {1, infinity}});
   d.value("rigidity", law.rigidity, {.meaning = "G / p'; 200 to 1000", .range = positive, .required = true});
   describe_deviatoric_shape(d, law.deviatoric_shape);
-  d.value("bedding_loss", law.bedding_loss,
-          {.meaning =
-               "fraction of the dilatancy that is lost where sigma_1 lies along the bedding instead of square to it, as in the tests "
-               "that gave dilatancy; 0.1 to 0.4 in poured sand",
-           .range = {0, 0.9}});
+  d.value(
+      "bedding_loss", law.bedding_loss,
+      {.meaning =
+           "fraction of the dilatancy that is lost where sigma_1 lies along the bedding instead of perpendicular to it, as in the tests "
+           "that gave dilatancy; 0.1 to 0.4 in poured sand",
+       .range = {0, 0.9}});
   d.value("bedding_curvature", law.bedding_curvature,
           {.meaning = "c: with sigma_1 at an angle a to the normal of the bedding, bedding_loss t (1 + c (1 - t)) is lost, t = sin^2 a",
            .range = {-1, 3}});
   d.value("bedding_angle", law.bedding_angle,
-          {.meaning = "of the bedding planes to the x axis, from x to y; they stay so in space", .unit = "rad"});
+          {.meaning = "of the bedding planes to the x axis, from x to y; fixed in space", .unit = "rad"});
   describe_bands(d, law);
   describe_pressure_elasticity(d, law);
   declare_usual(d, {{"critical_friction_angle", {10 * degree, 45 * degree}},

@@ -12,16 +12,17 @@ void describe(Describe& d, PoreWater& water)
            {.meaning = "drained: no excess pore pressure; undrained: the water stays in the pores, and its pressure follows the volume of "
                        "the soil; consolidation: it flows by Darcy's law, out of all surfaces of the soil except supports and rigid bodies",
             .required = true});
-  d.value("bulk_modulus", water.bulk_modulus,
-          {.meaning =
-               "bulk modulus of the water; absent: so stiff that over the porosity it is 30 times the P-wave modulus of the skeleton "
-               "(undrained Poisson's ratio 0.495). Its compressibility makes the strength follow the mean stress: resistance is 3.4 % too "
-               "large under a footing without surcharge, and 0.8 % with 2.2 GPa, that of water, which needs two to five times as many time "
-               "steps (examples/strip_footing)",
-           .unit = "Pa",
-           .range = positive});
+  d.value(
+      "bulk_modulus", water.bulk_modulus,
+      {.meaning =
+           "bulk modulus of the water; absent: so stiff that, divided by the porosity, it is 30 times the P-wave modulus of the skeleton "
+           "(undrained Poisson's ratio 0.495). Its compressibility makes the strength follow the mean stress: resistance is 3.4 % too "
+           "large under a footing without surcharge, and 0.8 % with 2.2 GPa, that of water, which needs two to five times as many time "
+           "steps (examples/strip_footing)",
+       .unit = "Pa",
+       .range = positive});
   d.value("porosity", water.porosity,
-          {.meaning = "volume of the pores over that of the soil, for bulk_modulus and permeability, in laws without void_ratio",
+          {.meaning = "volume of the pores divided by that of the soil, for bulk_modulus and permeability, in laws without void_ratio",
            .range = {0.01, 0.99}});
   d.value("permeability", water.permeability,
           {.meaning = "hydraulic conductivity k of Darcy's law; without effect unless drainage is consolidation",

@@ -10,7 +10,7 @@ namespace berm::material {
 void describe(Describe& d, Shansep& shansep)
 {
   d.value("ratio", shansep.ratio,
-          {.meaning = "S: undrained strength over vertical effective stress of the normally consolidated clay (0.2 to 0.35 for most)",
+          {.meaning = "S: undrained strength divided by vertical effective stress of the normally consolidated clay (0.2 to 0.35 for most)",
            .range = positive,
            .required = true});
   d.value("exponent", shansep.exponent, {.meaning = "m, of the overconsolidation ratio (0.7 to 1)", .range = {0, 2}});
@@ -19,7 +19,7 @@ void describe(Describe& d, Shansep& shansep)
   d.value("pop", shansep.pop,
           {.meaning = "pre-overburden pressure, instead of ocr: OCR = (sigma'_v0 + pop) / sigma'_v0", .unit = "Pa", .range = not_negative});
   d.value("surcharge", shansep.surcharge,
-          {.meaning = "vertical effective stress on the bed's surface under which the clay has consolidated, added to the overburden in "
+          {.meaning = "vertical effective stress on the seabed under which the clay has consolidated, added to the overburden in "
                       "sigma'_v0; it does not load the soil: a traction does",
            .unit = "Pa",
            .range = not_negative});
@@ -51,7 +51,7 @@ void check_shansep(Describe& d, const std::string& path, const Shansep& shansep,
   d.check(!ocr_in_profile || !shansep.ocr, path + ".ocr", "is given by profile.ocr: leave it out");
   d.check(!ocr_in_profile || !shansep.pop, path + ".pop", "is another way to give profile.ocr: keep one of them");
   d.check(!shansep.pop || shansep.exponent <= 1 || shansep.surcharge > 0, path + ".exponent",
-          "above 1 with pop makes the strength grow without end towards the surface: take at most 1, or give ocr instead of pop");
+          "above 1 with pop makes the strength increase without limit towards the surface: take at most 1, or give ocr instead of pop");
 }
 
 }  // namespace berm::material

@@ -23,7 +23,7 @@ void check_water(Describe& d, const std::string& path, const std::optional<PoreW
   if (water->drainage == Drainage::drained) return;
   d.check(!soil.stiffness_varies || water->bulk_modulus, table, "needs bulk_modulus, because the stiffness of the soil varies with depth");
   d.check(!soil.dilates || flows || water->min_pressure, path + ".dilation_angle",
-          "dilating undrained soil never fails: the pore pressure falls, and the strength grows, until the water cavitates; take "
+          "dilating undrained soil never fails: the pore pressure falls, and the strength increases, until the water cavitates; take "
           "dilation_angle = 0, or give the pressure of cavitation as water.min_pressure");
 }
 

@@ -58,10 +58,10 @@ void check(Describe& d, const std::string& path, const UserLaw<interface>& law)
     const std::string& name = law.state_names[k];
     const bool valid =
         !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == std::string::npos;
-    d.check(valid, path + ".state_names", fmt::format("\"{}\" is no name: letters, digits and _ only", name));
+    d.check(valid, path + ".state_names", fmt::format("\"{}\" is not a name: letters, digits and _ only", name));
     d.check(std::find(law.state_names.begin(), law.state_names.begin() + static_cast<std::ptrdiff_t>(k), name) ==
                 law.state_names.begin() + static_cast<std::ptrdiff_t>(k),
-            path + ".state_names", fmt::format("\"{}\" stands there twice", name));
+            path + ".state_names", fmt::format("\"{}\" occurs twice", name));
   }
 }
 

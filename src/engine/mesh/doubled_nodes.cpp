@@ -125,8 +125,7 @@ void join_doubled_nodes(Mesh<dim>& mesh, const std::optional<Real>& tolerance, c
 {
   if (tolerance && resolves(mesh, *tolerance))
     if (const Index joined = join(mesh, *tolerance, file); joined > 0)
-      mesh.remarks.push_back(
-          fmt::format("has {} nodes that lie no farther than mesh.merge_tolerance from another: they are one with it", joined));
+      mesh.remarks.push_back(fmt::format("has {} nodes within mesh.merge_tolerance of another: they are one with it", joined));
   const Real shortest = shortest_edge(mesh), reach = coincident * shortest;
   if (!resolves(mesh, reach)) return;  // cells without a size are refused where they are looked at
   Boxes<dim> boxes(mesh.position, reach);

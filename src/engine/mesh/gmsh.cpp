@@ -408,7 +408,7 @@ void describe(Describe& d, GmshFile& mesh)
   d.value("file", mesh.file,
           {.meaning = "mesh of Gmsh (.msh, format 4.1, ASCII), or a geometry (.geo) for Gmsh to mesh; its path relative to this file",
            .required = true});
-  d.value("scale", mesh.scale, {.meaning = "metres over the unit of the file: 0.001 of a mesh in millimetres", .range = positive});
+  d.value("scale", mesh.scale, {.meaning = "metres per unit of the file: 0.001 for a mesh in millimetres", .range = positive});
   d.value("axes", mesh.axes,
           {.meaning = "which coordinates of the file become x, y (and z), such as [\"x\", \"z\"] of a section drawn in x and z, or "
                       "[\"x\", \"z\", \"-y\"] of a mesh with z up; left out, they are unchanged"});
@@ -426,7 +426,7 @@ void check_axes(Describe& d, const std::string& path, const std::vector<std::str
   d.check(axes.empty() || axes.size() == static_cast<std::size_t>(dimension), path,
           fmt::format("needs {} axes, and has {}", dimension, axes.size()));
   for (std::size_t k = 0; k < axes.size(); ++k) {
-    d.check(std::find(words.begin(), words.end(), axes[k]) != words.end(), path, fmt::format("\"{}\" is no axis", axes[k]), words);
+    d.check(std::find(words.begin(), words.end(), axes[k]) != words.end(), path, fmt::format("\"{}\" is not an axis", axes[k]), words);
     for (std::size_t other = 0; other < k; ++other)
       d.check(axes[k].empty() || axes[other].empty() || axes[k].back() != axes[other].back(), path,
               fmt::format("takes {} of the file twice", axes[k].empty() ? ' ' : axes[k].back()));

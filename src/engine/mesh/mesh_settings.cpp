@@ -73,8 +73,9 @@ template Mesh<3> mesh_by_gmsh<3>(const fs::path&, const fs::path&, const std::st
 void describe(Describe& d, MeshSettings& mesh)
 {
   d.one_of("kind", mesh, {"seabed", "gmsh", "box"},
-           {.meaning = "where the mesh comes from: generated for a pipe on a bed, level or with a slope, a trench or a step; read from a "
-                       "Gmsh file; or a structured box",
+           {.meaning =
+                "where the mesh comes from: generated for a pipe on a seabed, level or with a slope, a trench or a step; read from a "
+                "Gmsh file; or a structured box",
             .required = true});
 }
 

@@ -156,7 +156,7 @@ void describe(Describe& d, SeabedMesh& bed)
           {.meaning = "depth of the fine zone below the surface", .unit = "m", .range = positive, .required = true});
   d.value("near_height", bed.near_height,
           {.meaning = "height of the fine zone above the surface", .unit = "m", .range = positive, .required = true});
-  d.value("growth", bed.growth, {.meaning = "growth of the cells' size per distance from the fine zone (m/m)", .range = not_negative});
+  d.value("growth", bed.growth, {.meaning = "increase of the cell size per distance from the fine zone (m/m)", .range = not_negative});
   d.value("far_size", bed.far_size, {.meaning = "largest size of a cell; left out: not limited", .unit = "m", .range = positive});
   d.value("layer", bed.layer,
           {.meaning = "thickness of the outer layer along walls and base, and then the largest size of any cell; 0: none",
@@ -277,7 +277,7 @@ Real expected_cells(const SeabedMesh& bed)
 void end_geometry(std::ofstream& out, const std::vector<std::string>& sizes, const std::filesystem::path& path)
 {
   const std::size_t n = sizes.size();
-  out << "\n// The size of a cell grows with its distance from where cells are fine.\n";
+  out << "\n// The size of a cell increases with its distance from where cells are fine.\n";
   for (std::size_t k = 0; k < n; ++k) out << fmt::format("Field[{0}] = MathEval;\nField[{0}].F = \"{1}\";\n", k + 1, sizes[k]);
   if (n > 1) out << fmt::format("Field[{0}] = Min;\nField[{0}].FieldsList = {{1:{1}}};\n", n + 1, n);
   out << fmt::format("Background Field = {};\n", n > 1 ? n + 1 : 1) << gmsh_options;
@@ -291,7 +291,7 @@ void write_geo(const SeabedMesh& bed, const std::filesystem::path& path)
   const SeabedLayout at = layout_of(bed);
   if (!ground_of(bed).level()) return write_uneven_geo(bed, path);
   std::ofstream out(path);
-  out << "// A flat bed for a pipe, made by berm. Lengths in metres; the bed's surface is y = 0.\n";
+  out << "// A flat bed for a pipe, made by berm. Lengths in metres; the seabed is y = 0.\n";
   for (const auto& [name, value] : {std::pair{"left", at.left},
                                     {"right", at.right},
                                     {"depth", bed.depth},

@@ -19,11 +19,11 @@ Unit unit_of(const std::string& token)
   return {.identifier = "berm_slice",
           .description = "Force between 1 m of pipe and the seabed, by the material point method",
           .variables = {{"time", "independent", "s", "time"},
-                        {"v_u", "input", "m/s", "velocity across the pipe in the next step"},
+                        {"v_u", "input", "m/s", "lateral velocity of the pipe in the next step"},
                         {"v_w", "input", "m/s", "velocity of the pipe in the next step, positive downwards"},
                         {"H", "output", "N/m", "force of the pipe on the soil along u, mean of the last step"},
                         {"V", "output", "N/m", "reaction of the soil on the pipe, positive upwards, mean of the last step"},
-                        {"u", "output", "m", "displacement across the pipe since the case began"},
+                        {"u", "output", "m", "lateral displacement of the pipe since the case began"},
                         {"w", "output", "m", "embedment of the invert, positive downwards"},
                         {"contact_mass", "output", "kg/m", "mass of the soil at the nodes that the pipe touches"}},
           .has_derivatives = false,
@@ -43,8 +43,8 @@ drive.x.velocity = 0
 {}
 until.time = "60 s"    # at least as long as the co-simulation
 )",
-                     has_mass ? "drive.y.hold = true    # V stays as it is; for a depth that stays: drive.y.velocity = 0"
-                              : "drive.y.velocity = 0   # the depth stays as it is; with a mass of the body also V: drive.y.hold = true");
+                     has_mass ? "drive.y.hold = true    # holds V; to hold the depth: drive.y.velocity = 0"
+                              : "drive.y.velocity = 0   # holds the depth; if the body has a mass, V can be held: drive.y.hold = true");
 }
 
 void refuse_other_than_slice(const settings::Case& c)
@@ -56,7 +56,7 @@ void refuse_other_than_slice(const settings::Case& c)
     throw KeyError(fmt::format("rigid: FMU export needs one rigid body, which the co-simulation moves; here there are {}", c.rigid.size()));
   if (c.pipeline)
     throw KeyError(
-        "pipeline: FMU export needs a case without a pipeline: the unit is one slice of soil, and the co-simulation has the line");
+        "pipeline: FMU export needs a case without a pipeline: the unit is one slice of soil, and the co-simulation models the line");
   const settings::StageSettings& last = c.stage.back();
   if (last.kind != settings::StageKind::drive)
     throw NoDrive(fmt::format("stage[{}].kind: FMU export needs kind = \"drive\" as the last stage, which the co-simulation moves; append "
@@ -68,7 +68,7 @@ void refuse_other_than_slice(const settings::Case& c)
 constexpr std::string_view dependencies =
     "libberm.so." BERM_LIBRARY_VERSION
     " of berm, of the version that wrote this unit, where the loader finds it: installed, or in a folder that "
-    "LD_LIBRARY_PATH names. Gmsh where resources/case.toml has a mesh of kind \"seabed\" that is no lattice.\n";
+    "LD_LIBRARY_PATH names. Gmsh where resources/case.toml has a mesh of kind \"seabed\" that is not a lattice.\n";
 
 }  // namespace
 

@@ -228,7 +228,7 @@ Parameters fit(const std::vector<Path>& paths)
       throw RunError(fmt::format("{} is of a pipe of {:.6g} m, {} of {:.6g} m: a macro-element is for one pipe", path.run.string(),
                                  path.diameter, paths[0].run.string(), paths[0].diameter));
   if (std::none_of(paths.begin(), paths.end(), [](const Path& path) { return path.push.size() > 2; }))
-    throw RunError("no run pushes its pipe into virgin soil at a velocity, which gives V0 over the embedment: add one");
+    throw RunError("no run pushes its pipe into virgin soil at a velocity, which gives V0 against embedment: add one");
   if (std::none_of(paths.begin(), paths.end(), is_dragged))
     throw RunError("no run drags its pipe, which gives the resistance to lateral motion: add one");
   const Problem problem(paths);

@@ -87,7 +87,7 @@ Path path_of(const record::RunRecord& run)
     }
     dragged = dragged || stage->kind != settings::StageKind::push;
   }
-  if (path.points.size() < 2) throw RunError(fmt::format("{}: the pipe never was in the soil", folder));
+  if (path.points.size() < 2) throw RunError(fmt::format("{}: the pipe was never in the soil", folder));
   return path;
 }
 

@@ -34,14 +34,14 @@ void for_each_axial_number(A& axial, const Formula& formula, const Visit& visit)
 {
   const bool undrained = !std::isnan(axial.undrained);
   const std::string& source = undrained ? axial.undrained_source : axial.drained_source;
-  visit(formula("axial", axial.wedging_source), "wedging", Kind::ratio, "normal force around the contact over V", axial.wedging);
+  visit(formula("axial", axial.wedging_source), "wedging", Kind::ratio, "normal force around the contact divided by V", axial.wedging);
   visit(formula("axial", axial.drained_source), "drained", Kind::force, "drained resistance under the V of the state", axial.drained);
   visit(formula("axial", axial.undrained_source), axial.strength == "undisturbed clay" ? "undrained_undisturbed" : "undrained", Kind::force,
         axial.strength.empty() ? "undrained resistance" : "undrained resistance, " + axial.strength, axial.undrained);
   visit(formula("axial", axial.settled_source), "consolidated", Kind::force, "drained resistance once no excess pore pressure is left",
         axial.settled);
   visit(formula("axial", source), "residual", Kind::force,
-        axial.sensitivity > 1 ? "residual resistance: the undrained one, remoulded, over the sensitivity"
+        axial.sensitivity > 1 ? "residual resistance: the undrained one, remoulded, divided by the sensitivity"
                               : "residual resistance: that of breakout",
         axial.residual);
   for (auto& rest : axial.set_up) {
@@ -72,7 +72,8 @@ void for_each_number(S& springs, const Visit& visit)
     visit(drag, "u_peak", Kind::displacement, "displacement at the peak", l.u_peak);
     visit(drag, "largest", Kind::force, "largest H, where it comes after the first peak and exceeds it", l.largest);
     visit(drag, "u_largest", Kind::displacement, "displacement at that largest H", l.u_largest);
-    visit(drag, "residual", Kind::force, "residual H, its plateau: at the end of the drag, or before H grows against a berm", l.residual);
+    visit(drag, "residual", Kind::force, "residual H, its plateau: at the end of the drag, or before H increases against a berm",
+          l.residual);
     visit(drag, "berm_resistance", Kind::force, "H against a berm at the end of the drag, which is not a residual", l.berm);
     visit(drag, "end", Kind::force,
           std::isnan(l.berm) ? "mean H over the end of the drag, steady or not" : "mean H over the end of the drag, against a berm", l.end);
@@ -84,8 +85,8 @@ void for_each_number(S& springs, const Visit& visit)
           "V in the push at an embedment", point.F);
   for (auto& u : springs.vertical.unloading)
     visit(Place{"vertical", u.stage, "computed"}, u.stage + ".stiffness", Kind::stiffness,
-          u.V_end < u.V_begin ? "stiffness of unloading, the slope of the line fitted to w over V"
-                              : "stiffness of loading in the bed, the slope of the line fitted to w over V",
+          u.V_end < u.V_begin ? "stiffness of unloading, from the line fitted to w against V"
+                              : "stiffness of loading in the bed, from the line fitted to w against V",
           u.stiffness);
   const auto formula = [](const std::string& spring, const std::string& source) {
     return Place{spring, "", source.empty() ? "formula" : source};
@@ -347,7 +348,7 @@ std::vector<std::string> refused_stiffnesses(const Springs& springs)
     if (u.stiffness < 0)
       why = fmt::format("V {} from {:.6g} to {:.6g} N/m while the pipe {}, so that the slope is negative and no stiffness",
                         fell ? "fell" : "rose", u.V_begin, u.V_end, fell ? "sank" : "rose");
-    lines.push_back(fmt::format("stiffness of V over w in stage {} is not written: {}", u.stage, why));
+    lines.push_back(fmt::format("stiffness dV/dw in stage {} is not written: {}", u.stage, why));
   }
   return lines;
 }

@@ -57,7 +57,7 @@ bool takes_options(const Springs& springs);
 
 constexpr Format formats[] = {
     {"table", "CSV tables for a spreadsheet", table_files, takes_numbers},
-    {"json", "all of it for a program to read", json_files, takes_numbers},
+    {"json", "all results, machine-readable", json_files, takes_numbers},
     {"abaqus", "pipe-soil interaction elements", abaqus_files, takes_points},
     {"orcaflex", "tables of a seabed's tangential resistance", orcaflex_files, takes_profiles},
     {"ansys", "COMBIN39 springs", ansys_files, takes_points},

@@ -55,12 +55,12 @@ Words lateral_estimates(const Design& design, const Lateral* travel)
 std::string description(const Design& design, const char* condition, const Lateral* travel)
 {
   if (travel == nullptr) return "";
-  return fmt::format("; {}: {} over V = {:.4g} N/m ({})", condition, peak_words(*travel), travel->V, origin_of(design.best, *travel));
+  return fmt::format("; {}: {} divided by V = {:.4g} N/m ({})", condition, peak_words(*travel), travel->V, origin_of(design.best, *travel));
 }
 
 std::string axial_residual_words(const Springs& s)
 {
-  return axial_V(s) > 0 ? fmt::format(", residual {:.4g} over V = {:.4g} N/m", s.axial.residual / axial_V(s), axial_V(s)) : "";
+  return axial_V(s) > 0 ? fmt::format(", residual {:.4g} divided by V = {:.4g} N/m", s.axial.residual / axial_V(s), axial_V(s)) : "";
 }
 
 Words row_of(const Design& design, const Lateral* hydrotest, const Lateral* operation)
@@ -82,7 +82,8 @@ ExportFiles buckpy_files(const Design& design)
 {
   std::string text = comments(
       design, "# ",
-      {"Coefficients of friction: forces over the vertical force meanwhile. Rows for the sheet Soils of BuckPy's workbook; leave out these "
+      {"Coefficients of friction: forces divided by the vertical force at the same time. Rows for the sheet Soils of BuckPy's workbook; "
+       "leave out these "
        "lines, and put in the name of your pipeline.",
        "Not run in BuckPy: columns are those of its page Getting Started. Fit bounds are written as its source compares them, LE_BE_HE; "
        "its "
@@ -108,39 +109,40 @@ ExportFiles buckpy_files(const Design& design)
 ExportFiles moordyn_files(const Design& design)
 {
   return by_estimate(design, "txt", [&](const std::string& set, const Springs& s) {
-    std::string text = comments(
-        design, "# ",
-        {"Options of MoorDyn: bottom stiffness in Pa/m, coefficients of friction over the vertical force. Take one block into the section "
-         "OPTIONS; leave out lines that begin with #.",
-         "Not run in MoorDyn: keys are those of its manual. Friction is Coulomb's there, in all directions (MoorDyn-C) or across and along "
-         "the line (MoorDyn-F); the mobilisation of H up to its peak is lost.",
-         "Damping of bottom and friction (cBot, FricDamp, CV) is not a result of these runs."});
+    std::string text = comments(design, "# ",
+                                {"Options of MoorDyn: bottom stiffness in Pa/m, coefficients of friction relative to the vertical force. "
+                                 "Take one block into the section "
+                                 "OPTIONS; leave out lines that begin with #.",
+                                 "Not run in MoorDyn: keys are those of its manual. Friction is Coulomb's there, in all directions "
+                                 "(MoorDyn-C) or laterally and axially "
+                                 "(MoorDyn-F); the mobilisation of H up to its peak is lost.",
+                                 "Damping of bottom and friction (cBot, FricDamp, CV) is not a result of these runs."});
     for (const std::string& line : refused_stiffnesses(s)) text += remark("# ", line);
     const NormalStiffness normal = normal_stiffness(s);
     const Points axial = axial_spring(s);
     const auto option = [](Real value, const char* key, const std::string& words) {
       return fmt::format("{:<12} {:<20} {}\n", shown(value), key, words);
     };
-    const std::string bottom = std::isnan(normal.value)
-                                   ? "# kBot is not known from these runs\n"
-                                   : remark("# ", "kBot: " + normal.origin) +
-                                         option(normal.value / s.diameter, "kBot", "Pa/m, stiffness of V over w divided by D");
+    const std::string bottom =
+        std::isnan(normal.value)
+            ? "# kBot is not known from these runs\n"
+            : remark("# ", "kBot: " + normal.origin) + option(normal.value / s.diameter, "kBot", "Pa/m, stiffness dV/dw divided by D");
     for (const Lateral& l : s.lateral) {
       if (!(l.V > 0)) text += remark("# ", without_friction("travel " + l.stage));
       if (!(l.V > 0) || !(l.peak > 0)) continue;
       const bool stays = l.residual > 0;
       const Real friction = (stays ? l.residual : l.peak) / l.V, ratio = stays ? l.peak / l.residual : 1;
-      const std::string words = stays ? "residual H over V" : fmt::format("{} over V: it has no residual", peak_words(l)),
-                        ratio_words = stays ? "peak over residual" : "as no residual is known";
+      const std::string words = stays ? "residual H divided by V" : fmt::format("{} divided by V: it has no residual", peak_words(l)),
+                        ratio_words = stays ? "peak divided by residual" : "as no residual is known";
       text += remark("# ", fmt::format("{} estimate, MoorDyn-C: {}", set, origin_of(s, l))) +
               option(friction, "FrictionCoefficient", words) + option(ratio, "StatDynFricScale", ratio_words) + bottom;
       text += remark("# ", fmt::format("{} estimate, MoorDyn-F: {}", set, origin_of(s, l))) + option(friction, "MU_KT", words);
       text += axial.empty() || !(axial_V(s) > 0) ? "# MU_KA is not known from these runs\n"
                                                  : remark("# ", "MU_KA, " + axial_title(s) + ": " + axial_origin(s)) +
-                                                       option(s.axial.residual / axial_V(s), "MU_KA", "axial residual over V");
+                                                       option(s.axial.residual / axial_V(s), "MU_KA", "axial residual divided by V");
       text += option(ratio, "MC", ratio_words) + bottom;
     }
-    if (s.lateral.empty()) text += "# there is no travel, and so no friction across\n" + bottom;
+    if (s.lateral.empty()) text += "# there is no drag, and so no lateral friction\n" + bottom;
     return text;
   });
 }

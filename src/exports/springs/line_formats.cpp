@@ -82,7 +82,7 @@ ExportFiles shape_files(const record::RunRecord& run)
   if (shapes.empty()) throw RunError(fmt::format("{} has no line.csv with the shapes of its line", run.folder.string()));
   std::string text =
       head_of_files(run) +
-      "# the line by node at each frame: x along it, y sideways, z upwards from where it was laid, u along it; P is compression\n"
+      "# the line by node at each frame: x along it, y lateral, z upwards from where it was laid, u along it; P is compression\n"
       "time_s,stage,x_m,y_m,z_m,u_m,P_N,M_Nm\n";
   for (const line::Shape& shape : shapes)
     for (std::size_t i = 0; i < shape.x.size() && stages.contains(shape.stage); ++i)

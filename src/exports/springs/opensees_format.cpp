@@ -61,7 +61,7 @@ ExportFiles opensees_files(const Design& design)
   return by_estimate(design, "py", [&](const std::string& set, const Springs& s) {
     std::string text = comments(
         design, "# ",
-        {"N and m: forces per length of pipe over displacements, both ways. Vertical: upwards positive. " + rest_words(s),
+        {"N and m: forces per length of pipe against displacements, in both directions. Vertical: upwards positive. " + rest_words(s),
          "Not run in OpenSees: by the reference of OpenSeesPy for ElasticMultiLinear and zeroLength.",
          "ElasticMultiLinear unloads along its loading curve: for monotonic motion of the pipe, not for cycles. There are no data beyond "
          "the ends; lateral and axial springs are constant there, the vertical one continues with its last slope.",

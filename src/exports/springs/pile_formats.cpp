@@ -97,7 +97,7 @@ std::string spring_elements(const SpringSet& set)
 {
   std::string text;
   for (std::size_t d = 0; d < set.springs.size(); ++d) {
-    text += fmt::format("** z = {:.6g} m below the bed\n*SPRING, ELSET=BERM_PY_{}, NONLINEAR\n1, 1\n", set.springs[d].z, d + 1);
+    text += fmt::format("** z = {:.6g} m below the seabed\n*SPRING, ELSET=BERM_PY_{}, NONLINEAR\n1, 1\n", set.springs[d].z, d + 1);
     for (const Point& point : both_ways(set.springs[d].points)) text += fmt::format("{:.6e}, {:.6e}\n", point.F, point.x);
   }
   return text;
@@ -140,17 +140,17 @@ ExportFiles pile_files(const record::RunRecord& record)
   if (curves.empty())
     throw InputError(fmt::format(
         "{} is not a run of a pipeline: its case has no [pipeline]; nor has it p-y curves of a pile, which need a stage that loads a "
-        "body sideways and rigid.NAME.depth_slices",
+        "body laterally and rigid.NAME.depth_slices",
         record.folder.string()));
   std::string head;
   for (const std::string& line : head_of(record)) head += "# " + line + "\n";
   head += fmt::format("# run {}\n", record.name);
   const std::vector<SpringSet> sets = spring_sets(run, curves);
   ExportFiles files{
-      {"py.csv", head + "# p along the load per metre of depth over y of the axis at that depth, computed and by codes at the same y\n" +
+      {"py.csv", head + "# p along the load per metre of depth against y of the axis at that depth, computed and by codes at the same y\n" +
                      computed_table(run, curves)}};
   if (sets.size() > 1) {
-    std::string codes = head + "# p by codes and published methods, as public programs have them\n";
+    std::string codes = head + "# p by codes and published methods, as implemented in public programs\n";
     for (std::size_t s = 1; s < sets.size(); ++s) codes += fmt::format("# {}: {}\n", sets[s].column, sets[s].name);
     files.push_back({"py_codes.csv", codes + code_table(sets)});
   }

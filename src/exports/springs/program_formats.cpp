@@ -22,7 +22,7 @@ std::string why_no_component(const Lateral& l)
   if (!(l.V > 0)) return without_friction("travel " + l.stage);
   if (!(l.peak > 0))
     return fmt::format("travel {} has no component: {}", l.stage,
-                       l.only_berm() ? "its H grows against a berm, which is not a residual" : "no resistance of it is known");
+                       l.only_berm() ? "its H increases against a berm, which is not a residual" : "no resistance of it is known");
   return is_stiffness(l.stiffness())
              ? ""
              : fmt::format("travel {} has no component: H begins with its peak, so that it has no stiffness", l.stage);
@@ -87,10 +87,10 @@ ExportFiles orcaflex_files(const Design& design)
       }
       text += remark("# ", spring.origin);
       if (vertical)
-        text += fmt::format("# vertical resistance, {} estimate: normal reaction over the penetration\n", set) +
+        text += fmt::format("# vertical resistance, {} estimate: normal reaction against penetration\n", set) +
                 "penetration (m),normal reaction (kN/m)\n";
       else
-        text += fmt::format("# {}, {} estimate{}: a profile of the seabed's tangential resistance, {}, over the normal reaction "
+        text += fmt::format("# {}, {} estimate{}: a profile of the seabed's tangential resistance, {}, divided by the normal reaction "
                             "({:.6g} kN/m)\n",
                             spring.direction == Direction::axial ? axial_title(s) + ", breakout and residual" : "lateral resistance", set,
                             spring.direction == Direction::axial ? ", by formula" : ", stage " + one_line(spring.travel),
@@ -109,7 +109,7 @@ ExportFiles ansys_files(const Design& design)
         design, "! ",
         {"N and m", "Not run in ANSYS: by the help of Mechanical APDL.",
          fmt::format("Real constants of COMBIN39 springs between a node of the pipe and the ground, {} estimate. Define the elements "
-                     "yourself, one type for each direction. With KEYOPT(1) = 1 the element wants no segment steeper than that at the "
+                     "yourself, one type for each direction. With KEYOPT(1) = 1 the element allows no segment steeper than that at the "
                      "origin, which berms and penetration do not satisfy.",
                      set),
          "BERM_LENGTH: length of pipe that a node stands for, 1 where it is not set; BERM_REAL: number before the first set, 0 where it is "
@@ -152,14 +152,13 @@ ExportFiles sima_files(const Design& design)
     const NormalStiffness normal = normal_stiffness(s);
     if (!std::isnan(normal.value)) text += remark("' ", "STFBOT: " + normal.origin);
     if (s.V > 0 && normal.value > 0 && s.embedment > 0)
-      text += remark("' ",
-                     fmt::format("STFBOT is linear: with the flat bottom at w = {:.4g} m below the surface of the bed the pipe lies at w = "
-                                 "{:.4g} m under V = {:.4g} N/m, as in the state",
-                                 s.embedment - s.V / normal.value, s.embedment, s.V));
+      text += remark("' ", fmt::format("STFBOT is linear: with the flat bottom at w = {:.4g} m below the seabed the pipe lies at w = "
+                                       "{:.4g} m under V = {:.4g} N/m, as in the state",
+                                       s.embedment - s.V / normal.value, s.embedment, s.V));
     const bool undrained = !std::isnan(s.axial.undrained);
     if (!axial.empty())
       text += remark("' ", "STFAXI and FRIAXI, " + axial_title(s) + ": " + axial_origin(s)) +
-              remark("' ", fmt::format("FRIAXI: over V of the {}", undrained ? "travel" : "state"));
+              remark("' ", fmt::format("FRIAXI: divided by V of the {}", undrained ? "travel" : "state"));
     int number = 0;
     for (const Lateral& l : s.lateral) {
       ++number;

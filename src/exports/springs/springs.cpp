@@ -136,7 +136,7 @@ Axial axial_of(const driven::DrivenRun& run, const driven::State& state, const d
     axial.drained = drained.value, axial.drained_source = citation(drained.source);
     for (const base::SurfaceForce& force : base::surface_forces_of(run.record))
       if (force.stage == state.stage && force.V > 0) {
-        axial.wedging = force.N_eff / force.V, axial.wedging_source = "computed effective normal force over V, " + state.stage;
+        axial.wedging = force.N_eff / force.V, axial.wedging_source = "computed effective normal force divided by V, " + state.stage;
         axial.drained = std::tan(contact->friction_angle) * force.N_eff;
         axial.drained_source = "axial_friction_of_" + state.stage + ": friction of the interface times the computed effective normal force";
         axial.settled = drained.value, axial.settled_source = citation(drained.source);
@@ -338,14 +338,14 @@ Vertical vertical_of(const driven::DrivenRun& run, const driven::Results& result
   Vertical vertical;
   const std::vector<Index>& pushed = path.push.rows;
   if (!pushed.empty() && pushed.front() < bed_since(work)) {
-    vertical.without_curve = fmt::format("the push was into a bed that no longer exists in state {}: {}", state.name, work->words);
+    vertical.without_curve = fmt::format("the push was into soil that no longer exists in state {}: {}", state.name, work->words);
   } else if (!starts_embedded(run)) {
     vertical.curve = virgin_of(results, run.scale.width);
     vertical.preload = preload_of(vertical.curve, results, states, state);
   } else if (!pushed.empty()) {
     vertical.unloading.push_back(unloading_of("push", pushed, run.history));
   }
-  if (vertical.curve.empty() && vertical.without_curve.empty()) vertical.without_curve = "no push begins at the surface of the bed";
+  if (vertical.curve.empty() && vertical.without_curve.empty()) vertical.without_curve = "no push begins at the seabed";
   const Index next = next_state(states, state);
   for (const driven::OtherPush& push : path.other_pushes)
     if (!push.lifts && push.rows.front() <= next && push.rows.front() >= bed_since(work))
@@ -379,8 +379,8 @@ std::vector<std::string> without_spring(const Springs& s)
   for (const Lateral& l : s.lateral)
     if (l.only_berm())
       lines.push_back(fmt::format(
-          "travel {} has no lateral spring: its H grows to {:.6g} N/m against a berm, with neither a peak nor a residual before; "
-          "curves.csv (--to table) has its H over u",
+          "travel {} has no lateral spring: its H increases to {:.6g} N/m against a berm, with neither a peak nor a residual before; "
+          "curves.csv (--to table) has its H against u",
           l.stage, l.berm));
   return lines;
 }
@@ -390,8 +390,8 @@ std::vector<std::string> moved_away(const std::vector<std::string>& drags, const
 {
   std::vector<std::string> lines;
   for (const std::string& drag : drags)
-    lines.push_back(fmt::format("travel {} has no lateral spring in state {}: the bed that it moved on no longer exists: {}", drag, s.state,
-                                work->words));
+    lines.push_back(fmt::format("travel {} has no lateral spring in state {}: the soil that it moved on no longer exists: {}", drag,
+                                s.state, work->words));
   return lines;
 }
 

@@ -79,7 +79,7 @@ struct Range {
 /// How the bed resists the pipe along its axis; nothing where V of the state is not positive. A run in the plane across the pipe cannot compute it: it is by formula,
 /// but for the normal force on a pipe in soil with water. From its breakout it falls to the residual: of clay that is undrained the remoulded one.
 struct Axial {
-  Real wedging = nan;    ///< normal force around the contact over V
+  Real wedging = nan;    ///< normal force around the contact divided by V
   Real drained = nan;    ///< N/m, at V of the state, with the friction of the interface
   Real undrained = nan;  ///< N/m, with its adhesion over the length of the contact
   Real settled = nan;    ///< N/m, the drained one once no excess pore pressure is left, where `drained` is of a computed normal force

@@ -109,7 +109,7 @@ std::string origin_of(const Springs& s, const Lateral& l)
   const std::string other = l.state.empty() || l.state == s.state ? "" : fmt::format(" of the pipe in state {}", l.state);
   return sentence(
       {run_words(s), state_words(s), "travel " + l.stage + other, "computed",
-       std::isnan(l.largest) ? "" : fmt::format("largest H {:.6g} N/m at u = {:.4g} m, behind its first peak", l.largest, l.u_largest),
+       std::isnan(l.largest) ? "" : fmt::format("largest H {:.6g} N/m at u = {:.4g} m, after its first peak", l.largest, l.u_largest),
        std::isnan(l.residual) ? "no residual" : "",
        std::isnan(l.berm) ? "" : fmt::format("{:.6g} N/m against a berm at its end, which is not a residual", l.berm)});
 }
@@ -131,7 +131,7 @@ std::string axial_title(const Springs& s)
 std::string vertical_origin(const Springs& s)
 {
   const Points points = vertical_spring(s);
-  if (!lies_in_state(s)) return sentence({run_words(s), "from the surface of the bed down", "travel push", "computed, virgin curve"});
+  if (!lies_in_state(s)) return sentence({run_words(s), "from the seabed down", "travel push", "computed, virgin curve"});
   const Real preload = preload_of(s);
   return sentence(
       {run_words(s), state_words(s), "travel push",
@@ -193,10 +193,9 @@ std::string rest_words(const Springs& s)
 {
   const Points all = vertical_spring(s);
   if (all.size() < 2) return "";
-  return fmt::format(
-      "Vertical displacements are from the pipe without load, {:.6g} m below the surface of the bed: under V of the state it lies as "
-      "deep as there.",
-      all.back().x - from_rest(all).back().x);
+  return fmt::format("Vertical displacements are from the unloaded pipe, {:.6g} m below the seabed: under V of the state its embedment is "
+                     "that of the state.",
+                     all.back().x - from_rest(all).back().x);
 }
 
 std::vector<WrittenSpring> springs_to_write(const Springs& s)

@@ -308,7 +308,7 @@ void LoadSteps::remesh()
   // Viscosity makes it sooner; in sand, whose strength follows its pressure, it leaves too much.
   if (!(model_.non_associated && release_imbalance(loads_after(0), viscosity_of(dt_))) &&
       !release_imbalance(loads_after(0), release_viscosity))
-    throw NoEquilibrium(fmt::format("t = {:.6g} s: the soil finds no equilibrium after the mesh was made anew", state_.state.time));
+    throw NoEquilibrium(fmt::format("t = {:.6g} s: the soil has no equilibrium after remeshing", state_.state.time));
   const std::vector<bodies::RigidState<2>>& after = state_.state.rigid_bodies;
   for (std::size_t r = 0; r < after.size(); ++r) {
     const Real force = before[r].reaction.norm(), change = (after[r].reaction - before[r].reaction).norm();

@@ -158,7 +158,7 @@ Remesher::Remesher(const settings::Case& c, std::filesystem::path folder)
     throw KeyError("mesh.kind: fem.large_deformation with a rigid body needs kind = \"seabed\", which is cut along the body");
   if (std::holds_alternative<mesh::GmshFile>(c.mesh) && !c.fem.contact_size)
     throw KeyError(
-        "fem.contact_size: is missing: with fem.large_deformation a mesh of kind \"gmsh\" is made anew with elements of this size");
+        "fem.contact_size: is missing: with fem.large_deformation a mesh of kind \"gmsh\" is remeshed with elements of this size");
 }
 
 ElementSizes Remesher::sizes_for(const FemModel& model) const
@@ -212,7 +212,7 @@ mesh::Mesh<2> Remesher::make_mesh(const FemModel& model, const FemState& state, 
     gmsh_->mesh(geo, msh);
   } catch (const RunError& error) {
     throw RunError(fmt::format(
-        "t = {:.6g} s: the soil could not be meshed anew: {}. Where Gmsh cannot recover an edge, smaller elements (fem.contact_size) or a "
+        "t = {:.6g} s: the soil could not be remeshed: {}. Where Gmsh cannot recover an edge, smaller elements (fem.contact_size) or a "
         "smaller fem.remeshing_travel may help",
         state.state.time, error.what()));
   }

@@ -136,8 +136,8 @@ void refuse_k0_below_uneven_ground(const settings::Case& c, const Model<dim>& mo
     }
   }
   if (worst.difference > accepted * largest)
-    throw KeyError(fmt::format("body.{}.k0: the ground is not level at `surface`, or not of one density: at ({}) m the soil above "
-                               "weighs {:.4g} kPa, where k0 takes density gravity (surface - y) = {:.4g} kPa; initial_state = "
+    throw KeyError(fmt::format("body.{}.k0: the ground is not level at `surface`, or not of one density: at ({}) m the overburden "
+                               "is {:.4g} kPa, where k0 takes density gravity (surface - y) = {:.4g} kPa; initial_state = "
                                "\"gravity_loading\" finds the stress below any surface and in layers",
                                c.body[worst.body].first, text_of_list(worst.x, ", ", "{:.6g}"), worst.weight / 1e3, worst.taken / 1e3));
 }

@@ -48,7 +48,7 @@ void add_motions(const settings::Case& c, Model<dim>& model)
         throw KeyError(fmt::format(
             "support.{}.motion.{}: {}", name, boundary::motion_axes[d],
             on_plane ? fmt::format("moves across the plane of symmetry: leave it out, or \"{}\" out of symmetry", boundary::motion_axes[d])
-                     : "is along the radius, and the boundary touches the axis: a base that moves sideways is not axisymmetric; move it "
+                     : "is along the radius, and the boundary touches the axis: a base that moves laterally is not axisymmetric; move it "
                        "along y, or take geometry = \"plane_strain\" or \"space\""));
       }
     }

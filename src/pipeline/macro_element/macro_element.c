@@ -398,7 +398,7 @@ static number move_berm(const berm_macro_element_parameters* p, side_numbers* b,
   return force;
 }
 
-/* zeta: the normal force around the contact over V. */
+/* zeta: the normal force around the contact divided by V. */
 static number wedging(double diameter, number w)
 {
   const double z = smaller(larger(w.v / diameter, 0), 0.5);
@@ -456,7 +456,7 @@ static int is_number(double x)
 const char* berm_macro_element_error(int code)
 {
   static const char* const words[] = {"no error", "a pointer is null", "parameters or state are of another version", "a parameter is out of its range",
-                                      "a displacement or force is no number or too large", "an increment did not converge"};
+                                      "a displacement or force is not a number or too large", "an increment did not converge"};
   return code >= 0 && code < (int)(sizeof words / sizeof *words) ? words[code] : "unknown error";
 }
 

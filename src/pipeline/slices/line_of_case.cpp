@@ -122,7 +122,7 @@ std::vector<Real> nodes_of(const settings::Case& c, const std::vector<Real>& pla
   const Real longest = longest_element_of(c);
   constexpr Real growth = 1.1, max_nodes = 20000;
   if (const Real to = places.back(); !(static_cast<Real>(places.size()) + (to + p.length) / longest < max_nodes))
-    throw KeyError(fmt::format("pipeline.length: elements of {:.3g} m, which the largest compression asks for, would be more than {}: "
+    throw KeyError(fmt::format("pipeline.length: elements of {:.3g} m, which the largest compression requires, would be more than {}: "
                                "shorten the line, or look at its stiffness and loads",
                                longest, max_nodes));
   std::vector<Real> nodes = {0};

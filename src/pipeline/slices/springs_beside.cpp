@@ -45,7 +45,7 @@ void SpringsBeside::archive(Archive& k)
   k("H", H);
   k("embedment", embedment_);
   if (k.reads()) {
-    if (u.size() != H.size()) k.refuse("the resistance of the springs is not whole");
+    if (u.size() != H.size()) k.refuse("the resistance of the springs is incomplete");
     curve_.points.clear();
     for (std::size_t i = 0; i < u.size(); ++i) curve_.points.push_back({u[i], H[i]});
     line_.reset();

@@ -66,7 +66,8 @@ void compare_history_with_end(RunRecord& run)
 {
   if (run.end != RunEnd::finished || run.history.rows() == 0 || run.settings.stage.empty()) return;
   if (run.history.stage.back() != run.settings.stage.back().name)
-    run.faults.push_back(fmt::format("history.csv ends in stage \"{}\", although the run finished: it was cut", run.history.stage.back()));
+    run.faults.push_back(
+        fmt::format("history.csv ends in stage \"{}\", although the run finished: it was truncated", run.history.stage.back()));
 }
 
 /// How a run says that it was asked to stop.

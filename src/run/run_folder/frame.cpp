@@ -61,7 +61,7 @@ std::vector<FieldInfo> effective_stress_fields()
 
 FieldInfo pore_pressure_ratio_field()
 {
-  return {"pore_pressure_ratio", "r_u: excess pore pressure over the effective vertical stress at rest", "", 1, to_frame};
+  return {"pore_pressure_ratio", "r_u: excess pore pressure divided by the effective vertical stress at rest", "", 1, to_frame};
 }
 
 template <int dim>

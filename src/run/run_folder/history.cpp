@@ -171,7 +171,8 @@ History read_history(const std::filesystem::path& path)
   const auto stage = static_cast<std::size_t>(std::find(header.begin(), header.end(), stage_column) - header.begin());
   if (stage == header.size()) throw RunError(fmt::format("{}: line 1: there is no column {}", path.string(), stage_column));
   for (const std::string& column : header)
-    if (has_control_character(column)) throw RunError(fmt::format("{}: line 1: {} is no name of a column", path.string(), shown(column)));
+    if (has_control_character(column))
+      throw RunError(fmt::format("{}: line 1: {} is not a name of a column", path.string(), shown(column)));
   for (std::size_t k = 0; k < header.size(); ++k)
     if (k != stage) columns.push_back(header[k]);
   history.columns = read_schema(path);
@@ -183,7 +184,7 @@ History read_history(const std::filesystem::path& path)
     if (fields.size() != header.size())
       throw RunError(fmt::format("{}: line {}: {} fields for {} columns", path.string(), line, fields.size(), header.size()));
     if (has_control_character(fields[stage]))
-      throw RunError(fmt::format("{}: line {}: {} is no name of a stage", path.string(), line, shown(fields[stage])));
+      throw RunError(fmt::format("{}: line {}: {} is not a name of a stage", path.string(), line, shown(fields[stage])));
     history.stage.push_back(fields[stage]);
     for (std::size_t k = 0, column = 0; k < fields.size(); ++k) {
       if (k == stage) continue;

@@ -31,7 +31,7 @@ const Json& member(const Json& json, const char* name)
 const Json& table(const Json& json, const char* name)
 {
   const Json& found = member(json, name);
-  if (!found.is_object()) refuse(fmt::format("\"{}\" is no table", name));
+  if (!found.is_object()) refuse(fmt::format("\"{}\" is not a table", name));
   return found;
 }
 
@@ -39,13 +39,13 @@ Real number(const Json& json, const char* where)
 {
   if (json.is_null()) return nan;
   if (json.is_boolean()) return json.get<bool>() ? 1 : 0;
-  if (!json.is_number()) refuse(fmt::format("a value in \"{}\" is no number", where));
+  if (!json.is_number()) refuse(fmt::format("a value in \"{}\" is not a number", where));
   return json.get<Real>();
 }
 
 std::string words(const Json& json, const char* where)
 {
-  if (!json.is_string()) refuse(fmt::format("a value in \"{}\" is no text", where));
+  if (!json.is_string()) refuse(fmt::format("a value in \"{}\" is not a text", where));
   return json.get<std::string>();
 }
 
@@ -59,10 +59,10 @@ QuantityKind kind_of(const std::string& word)
 
 RunSummary summary_of(const Json& json)
 {
-  if (!json.is_object()) refuse("it is no table");
+  if (!json.is_object()) refuse("it is not a table");
   RunSummary summary;
   for (const auto& [name, entry] : table(json, "quantities").items()) {
-    if (!entry.is_object()) refuse("a value in \"quantities\" is no table");
+    if (!entry.is_object()) refuse("a value in \"quantities\" is not a table");
     const auto words_at = [&entry = entry](const char* key) { return entry.contains(key) ? words(entry[key], "quantities") : ""; };
     summary.quantities.push_back({name, number(member(entry, "value"), "quantities"), words(member(entry, "unit"), "quantities"),
                                   words_at("meaning"), kind_of(words_at("kind")), words_at("of")});
@@ -73,7 +73,7 @@ RunSummary summary_of(const Json& json)
   for (const auto& [name, entry] : table(json, "text").items()) summary.text[name] = words(entry, "text");
   for (const auto& [name, list] : {std::pair{"warnings", &summary.warnings}, {"invalid", &summary.invalid}})
     if (const auto found = json.find(name); found != json.end()) {
-      if (!found->is_array()) refuse(fmt::format("\"{}\" is no list", name));
+      if (!found->is_array()) refuse(fmt::format("\"{}\" is not a list", name));
       for (const Json& entry : *found) list->push_back(words(entry, name));
     }
   if (const auto uncertainty = json.find("uncertainty"); uncertainty != json.end()) summary.uncertainty = uncertainty_of(*uncertainty);

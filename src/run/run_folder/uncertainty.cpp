@@ -47,14 +47,14 @@ std::string words(const Json& json)
 const Json& list(const Json& json, const char* name)
 {
   const Json& found = member_of(json, name);
-  if (!found.is_array()) refuse_bands(fmt::format("\"{}\" is no list", name));
+  if (!found.is_array()) refuse_bands(fmt::format("\"{}\" is not a list", name));
   return found;
 }
 
 const Json& table_of(const Json& json, const char* name)
 {
   const Json& found = member_of(json, name);
-  if (!found.is_object()) refuse_bands(fmt::format("\"{}\" is no table", name));
+  if (!found.is_object()) refuse_bands(fmt::format("\"{}\" is not a table", name));
   return found;
 }
 
@@ -126,7 +126,7 @@ Json json_of(const Uncertainty& uncertainty)
 
 Uncertainty uncertainty_of(const Json& json)
 {
-  if (!json.is_object()) refuse_bands("it is no table");
+  if (!json.is_object()) refuse_bands("it is not a table");
   Uncertainty uncertainty;
   if (json.contains("missing")) uncertainty.missing = words(json["missing"]);
   for (const auto& [name, entry] : table_of(json, "quantities").items()) {
@@ -149,7 +149,7 @@ void add_to_summary(const std::filesystem::path& run_folder, const Uncertainty& 
 {
   const std::filesystem::path file = run_folder / "summary.json";
   Json root = read_json(file);
-  if (!root.is_object()) throw RunError(fmt::format("{} is damaged: it is no table", file.string()));
+  if (!root.is_object()) throw RunError(fmt::format("{} is damaged: it is not a table", file.string()));
   root["uncertainty"] = json_of(uncertainty);
   io::write_atomically(file, root.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
 }

@@ -44,7 +44,7 @@ void CellWatch<dim>::warn(const std::string& body, Real width) const
 {
   if (!(travel_ > 0) || coarse_travel_ / travel_ <= much_travel) return;
   io::warn("\"{}\" left the fine cells: cells at it were D/{:.0f} at the start, and D/{:.0f} at most, for {:.0f} % of its travel; "
-           "resistance grows with the size of the cells: refine the mesh along its path",
+           "resistance increases with the size of the cells: refine the mesh along its path",
            body, width / first_, width / largest_, 100 * coarse_travel_ / travel_);
 }
 

@@ -159,7 +159,7 @@ void FemMethod::step()
   try_to([&] { last_ = steps_.advance(); });
   if (trial_ && trial_->failed()) return;
   if (steps_.remeshings().folds > folds)
-    io::info("t = {:.6g} s: soil has folded onto soil or come to a wall, and is joined to it there", state().time);
+    io::info("t = {:.6g} s: soil has come into contact with soil or with a wall, and is joined to it there", state().time);
   if (!trial_) refuse_lost_soil();
   recorder_.observe_steps(steps_);
   iterations_ += last_.iterations;

@@ -64,9 +64,9 @@ void FemRecorder::zero_displacements(const std::vector<Real>& displacement, cons
 void FemRecorder::observe_solution(const fem::FemState& state, const fem::IncrementEnd& end)
 {
   row_("iterations", static_cast<Real>(end.iterations), run_folder::bare, "iterations of the increment");
-  row_("unbalance", end.unbalance, run_folder::bare, "force out of balance over the contact forces");
-  row_("overstress", state.overstress, run_folder::bare, "stress beyond the strength over the stress");
-  row_("strength_lag", end.lag.part(), run_folder::bare, "missing dissipation over dissipation");
+  row_("unbalance", end.unbalance, run_folder::bare, "out-of-balance force divided by the contact forces");
+  row_("overstress", state.overstress, run_folder::bare, "stress beyond the strength divided by the stress");
+  row_("strength_lag", end.lag.part(), run_folder::bare, "missing dissipation divided by dissipation");
 }
 
 void FemRecorder::observe_shaft_of_main(const fem::FemModel& model, const fem::FemState& state)

@@ -294,7 +294,7 @@ void MpmMethod<d>::log_equilibrium(const settings::StageSettings& stage) const
 {
   const bool at_rest = !ends_at_equilibrium(stage) || is_at_rest();
   const char* verdict = equilibrium_ <= stage.equilibrium && at_rest ? "in equilibrium" : "NOT in equilibrium";
-  io::info("stage \"{}\": after {:.3g} s the soil is {}: out-of-balance force over weight {:.3g}, accepted {:.3g}", stage.name,
+  io::info("stage \"{}\": after {:.3g} s the soil is {}: out-of-balance force / weight {:.3g}, accepted {:.3g}", stage.name,
            state().time - state().stage.begin_time, verdict, equilibrium_, stage.equilibrium);
   if (ends_at_equilibrium(stage) && !(equilibrium_ <= stage.equilibrium && at_rest))
     io::warn(
@@ -481,7 +481,7 @@ void MpmMethod<d>::warn_of(const mpm::SoilCondition& soil) const
   };
   warn_of_bound(soil.at_min_volume, "smallest", "min_volume_ratio", model().mpm.min_volume_ratio);
   warn_of_bound(soil.at_max_volume, "largest", "max_volume_ratio", model().mpm.max_volume_ratio);
-  if (soil.in_the_air > max_mass) io::warn("{:.2g} % of the soil is in the air", 100 * soil.in_the_air);
+  if (soil.in_the_air > max_mass) io::warn("{:.2g} % of the soil has been thrown up above the seabed", 100 * soil.in_the_air);
 }
 
 template <int d>
@@ -526,7 +526,7 @@ std::vector<std::string> MpmMethod<d>::load_history_lines() const
                                   stage.name, time_scale_words(stage), slow->scale, slow->half_wave, slow->half_wave * slow->scale,
                                   words_of(slow->reason)));
       if (stage.time_scale < 1)
-        lines.push_back(fmt::format("             that is for a body that the soil holds; {}: then run with time_scale = 1",
+        lines.push_back(fmt::format("             that is for a body that does not break out; {}: then run with time_scale = 1",
                                     settings::breakout_takes_time));
     }
   return lines;

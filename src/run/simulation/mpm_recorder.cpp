@@ -325,7 +325,7 @@ void MpmRecorder<dim>::observe_depth_slices(const problem::Model<dim>& model, co
     for (Index k = 0; k < slices.count; ++k) {
       const auto of_slice = [&](const char* symbol, Real impulse, const char* what) {
         row_(fmt::format("{}{}", symbol, k + 1), time > 0 ? impulse / time + 0. : 0, run_folder::newtons<dim>,
-             fmt::format("{} from {:.4g} to {:.4g} m below the bed", what, k * slices.thickness, (k + 1) * slices.thickness));
+             fmt::format("{} from {:.4g} to {:.4g} m below the seabed", what, k * slices.thickness, (k + 1) * slices.thickness));
       };
       if (model.mesh.metric != mesh::Metric::axisymmetric) of_slice("H", since_.slice_impulses[r][k], "horizontal force on the soil");
       of_slice("V_shaft", -since_.slice_shaft_impulses[r][k], "upward force on vertical sides");

@@ -227,7 +227,7 @@ void PipelineMethod::archive(Archive& k)
     k("first_frame_of_berms", first_frame_of_berms_);
     if (!k.reads()) return;
     if (shapes_.size() != stages_.size() * static_cast<std::size_t>(line_.of_case().line.nodes()) * numbers_of_node)
-      k.refuse("the shapes of the line are not whole");
+      k.refuse("the shapes of the line are incomplete");
   });
 }
 

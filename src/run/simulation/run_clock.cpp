@@ -60,7 +60,7 @@ void RunClock::archive(Archive& k)
   earlier_loops_.clear();
   std::istringstream lines(labels);
   for (std::string label; std::getline(lines, label);) earlier_loops_.push_back({label, 0, 0});
-  if (seconds.size() != earlier_loops_.size() || calls.size() != earlier_loops_.size()) k.refuse("its table of loops is not whole");
+  if (seconds.size() != earlier_loops_.size() || calls.size() != earlier_loops_.size()) k.refuse("its table of loops is incomplete");
   for (std::size_t n = 0; n < earlier_loops_.size(); ++n) {
     earlier_loops_[n].seconds = seconds[n];
     earlier_loops_[n].calls = calls[n];

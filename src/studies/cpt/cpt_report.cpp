@@ -138,7 +138,7 @@ bool draw(const CptResults& results, const Quantity& q, const fs::path& folder)
 std::string page_html(const CptResults& results, const std::string& pictures)
 {
   std::string html =
-      "<h1>A sounding as layers</h1>\n" +
+      "<h1>Layers of a CPT sounding</h1>\n" +
       text::html_paragraph(fmt::format("{}; {}. N_kt = {:.3g}; layers of {:.3g} m and more.", site::rows_of(results.sounding),
                                        results.sounding.corrected, results.choice.N_kt, results.choice.thinnest));
   for (const std::string& doubt : results.profile.doubts) html += text::html_paragraph("Warning: " + doubt + ".");
@@ -152,14 +152,13 @@ std::string page_html(const CptResults& results, const std::string& pictures)
     for (const Quantity& q : quantities) cells.push_back(number(mean_of(results.profile, layer, q.of).value, q.unit));
     html += text::plain_row(cells, 3, cells.size() - 1, "td");
   }
-  html += "</table>\n<p>Means over the rows; their scatter is in layers.csv.</p>\n<h2>By</h2>\n<table>\n";
+  html += "</table>\n<p>Means over the rows; their scatter is in layers.csv.</p>\n<h2>Correlations</h2>\n<table>\n";
   for (const Quantity& q : quantities)
     if (*q.source != '\0') html += text::plain_row({q.symbol, q.source}, 2, 2, "td");
-  html +=
-      "</table>\n<p>Within the first half metre the effective stress is next to nothing: I_c, D_r and phi there say as much of the zero "
-      "of the cone as of the soil.</p>\n<h2>To paste into a case</h2>\n<pre>" +
-      text::html_text(layers_toml(results)) + "</pre>\n";
-  return text::plain_page("berm: a sounding as layers", html);
+  html += "</table>\n<p>Within the first half metre the effective stress is very low: I_c, D_r and phi there depend on the zero reading "
+          "of the cone as much as on the soil.</p>\n<h2>To paste into a case</h2>\n<pre>" +
+          text::html_text(layers_toml(results)) + "</pre>\n";
+  return text::plain_page("berm: layers of a CPT sounding", html);
 }
 
 }  // namespace
@@ -202,7 +201,7 @@ void write_results(const CptResults& results, const fs::path& folder)
     std::error_code ignored;
     fs::remove(folder / (name + ".png"), ignored);
     const bool shown = name == "q_t" || name == "F_r" || name == "I_c" || (name == "B_q" && !results.sounding.u_2.empty());
-    if (shown && draw(results, q, folder)) pictures += plot::html_image(folder, name, fmt::format("{} over depth", q.symbol));
+    if (shown && draw(results, q, folder)) pictures += plot::html_image(folder, name, fmt::format("{} against depth", q.symbol));
   }
   io::write_atomically(folder / page_file, page_html(results, pictures));
   io::write_atomically(folder / "summary.json", summary_json(results));

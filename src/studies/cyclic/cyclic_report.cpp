@@ -35,11 +35,11 @@ std::vector<std::string> answer(const CyclicResults& results)
   const StormStrength& s = results.strength;
   const Real failure = c.diagram.strains()[c.failure];
   std::vector<std::string> words = {
-      s.given.fails ? fmt::format("As given the clay fails in parcel {}.", s.given.parcels.size())
-                    : fmt::format("As given the storm ends at {}, as {:.3g} cycles of its largest load would.",
+      s.given.fails ? fmt::format("Under the storm as given the clay fails in parcel {}.", s.given.parcels.size())
+                    : fmt::format("The storm as given ends at {}, equivalent to {:.3g} cycles of its largest load.",
                                   measure_of(results, s.given.parcels.back().strain), s.given_cycles),
-      fmt::format("With its cyclic loads times {:.4g} it just reaches {}, as N_eq = {:.3g} cycles of its largest load would.", s.multiplier,
-                  measure_of(results, failure), s.equivalent_cycles),
+      fmt::format("With its cyclic loads times {:.4g} it just reaches {}, equivalent to N_eq = {:.3g} cycles of its largest load.",
+                  s.multiplier, measure_of(results, failure), s.equivalent_cycles),
       fmt::format("Cyclic strength: tau_f,cy = ({:.3g} + {:.3g}) s_u = {:.4g} s_u, average and cyclic. Multiply the undrained strength by "
                   "{:.4g}, and load with "
                   "the average and the largest cyclic load together.",
@@ -82,13 +82,13 @@ std::string summary_json(const CyclicResults& results)
   const auto add = [&](const char* name, Real value, const char* meaning) {
     quantities[name] = {{"value", value}, {"unit", "1"}, {"meaning", meaning}};
   };
-  add("strength_factor", results.factor(), "average and cyclic shear stress at failure over the undrained strength");
-  add("cyclic_strength_ratio", s.stress, "cyclic shear stress of the largest parcel at failure over the undrained strength");
-  add("average_stress_ratio", results.settings.storm.average(), "average shear stress over the undrained strength");
+  add("strength_factor", results.factor(), "average and cyclic shear stress at failure divided by the undrained strength");
+  add("cyclic_strength_ratio", s.stress, "cyclic shear stress of the largest parcel at failure divided by the undrained strength");
+  add("average_stress_ratio", results.settings.storm.average(), "average shear stress divided by the undrained strength");
   add("equivalent_cycles", s.equivalent_cycles, "cycles of the largest load to failure that are equivalent to the storm, N_eq");
   add("load_multiplier", s.multiplier, "factor on the cyclic loads with which the storm just reaches failure");
   add("equivalent_cycles_as_given", s.given_cycles, "cycles of the largest load that are equivalent to the storm as it is given");
-  add("accumulated_as_given", s.given.parcels.back().strain, "what the contours are of, at the end of the storm as it is given");
+  add("accumulated_as_given", s.given.parcels.back().strain, "quantity of the contours at the end of the storm as given");
   Json all = {
       {"quantities", quantities},
       {"timing", {{"wall_s", results.wall_s}, {"steps", s.failing.parcels.size()}}},
@@ -204,7 +204,7 @@ std::string material_toml(const CyclicResults& results)
   const auto by_rate = [](const auto& one) { return is_rate_dependent(one.second); };
   const bool has_rate = std::any_of(results.settings.material.begin(), results.settings.material.end(), by_rate);
   return fmt::format("# Undrained strength times {:.4g}: the cyclic strength for the storm.{}\n{}", results.factor(),
-                     has_rate ? " It has the rate of cyclic tests in it, so that rate_parameter is 0." : "",
+                     has_rate ? " It includes the rate effect of cyclic tests, so rate_parameter is 0." : "",
                      input::toml_of(visitor.root()));
 }
 

@@ -26,9 +26,9 @@ void describe(Describe& d, ContourSettings& contours)
 {
   d.value("table", contours.table,
           {.meaning = "CSV file of columns shear_strain (or pore_pressure_ratio), average_stress_ratio (tau_a/s_u), cycles (N), "
-                      "cyclic_stress_ratio (tau_cy/s_u): points of contours, seen from this file's folder",
+                      "cyclic_stress_ratio (tau_cy/s_u): points of contours, relative to this file's folder",
            .required = true});
-  d.choice("of", contours.of, measure_words, {.meaning = "what the contours are of, and what accumulates from parcel to parcel"});
+  d.choice("of", contours.of, measure_words, {.meaning = "quantity of the contours, which accumulates from parcel to parcel"});
   d.value("failure", contours.failure, {.meaning = "the contour at which the clay has failed; absent: the highest", .range = positive});
 }
 
@@ -43,7 +43,7 @@ void describe(Describe& d, StormSettings& storm)
   d.value("average_load", storm.average_load,
           {.meaning = "load that acts all the time, which no multiplier changes", .range = not_negative, .any_unit = &storm.unit});
   d.value("static_capacity", storm.capacity,
-          {.meaning = "load that the clay carries at its undrained strength; absent: loads are shear stresses over s_u",
+          {.meaning = "load that the clay carries at its undrained strength; absent: loads are shear stresses divided by s_u",
            .range = positive,
            .any_unit = &storm.unit});
   d.choice("order", storm.order, {"ascending", "given"},
@@ -80,7 +80,7 @@ ContourTable read_contours(const ContourSettings& settings, const std::filesyste
                               .columns = {{"average_stress_ratio", ""}, {"cycles", ""}, {"cyclic_stress_ratio", ""}},
                               .header = "average_stress_ratio,cycles,cyclic_stress_ratio",
                               .first = {of, ""},
-                              .over = "what the contours are of"};
+                              .over = "quantity of the contours"};
   const ContourCurve* last = nullptr;
   const auto take = [&](Real strain, const std::vector<std::size_t>& columns, const std::vector<Real>& values) -> std::string {
     Real row[3] = {nan, nan, nan};
@@ -93,9 +93,9 @@ ContourTable read_contours(const ContourSettings& settings, const std::filesyste
     if (!(cycles >= 1)) return fmt::format("cycles = {:.6g} is less than 1", cycles);
     if (!(stress >= 0 && stress <= 5)) return fmt::format("cyclic_stress_ratio = {:.6g} is not from 0 to 5", stress);
     ContourCurve& curve = table[strain][average];
-    if (!curve.empty() && last != &curve) return "the rows of a contour at an average stress are to stand together";
-    if (!curve.empty() && !(cycles > curve.back().cycles)) return "the cycles of a contour are to rise from row to row";
-    if (!curve.empty() && stress > curve.back().stress) return "the stress of a contour rises with the number of cycles";
+    if (!curve.empty() && last != &curve) return "the rows of a contour at an average stress must be consecutive";
+    if (!curve.empty() && !(cycles > curve.back().cycles)) return "the cycles of a contour must ascend";
+    if (!curve.empty() && stress > curve.back().stress) return "the stress of a contour must not increase with the number of cycles";
     curve.push_back({cycles, stress});
     last = &curve;
     return "";

@@ -25,7 +25,7 @@ void describe(Describe& d, StartStress& start)
           {.meaning = "vertical effective stress at the start, compression positive, with k0, instead of confining_stress",
            .unit = "Pa",
            .range = not_negative});
-  d.value("k0", start.k0, {.meaning = "horizontal over vertical effective stress at the start", .range = not_negative});
+  d.value("k0", start.k0, {.meaning = "ratio of horizontal to vertical effective stress at the start", .range = not_negative});
 }
 
 template <class Kind>
@@ -89,9 +89,7 @@ void describe(Describe& d, TestSettings& test)
            {.meaning = "which test; biaxial is axial compression or extension in plane strain", .required = true});
   d.value("material", test.material, {.meaning = "material of the specimen", .required = true});
   d.value("depth", test.depth,
-          {.meaning = "depth below the bed's surface of the specimen, in a material that varies with depth",
-           .unit = "m",
-           .range = not_negative});
+          {.meaning = "depth of the specimen below the seabed, in a material that varies with depth", .unit = "m", .range = not_negative});
   d.value("strain_path", test.strain_path,
           {.meaning = "axial strains (simple_shear: engineering shear strains) that are reached in turn, positive in "
                       "`direction`: [0.1], or with unloading and reloading [0.05, 0.04, 0.1]",
@@ -224,7 +222,8 @@ void describe(Describe& d, MaterialsOfCase& c)
 void describe(Describe& d, ElementCase& c)
 {
   d.value("title", c.title, {.meaning = "title of the page"});
-  d.value("materials_from", c.materials_from, {.meaning = "a case of berm run, seen from this file's folder, whose materials are tested"});
+  d.value("materials_from", c.materials_from,
+          {.meaning = "a case of berm run, relative to this file's folder, whose materials are tested"});
   describe_materials(d, c.material);
   d.array("test", c.test, {.meaning = "laboratory tests", .required = true});
   d.check(!names_of(c).empty(), "material", "at least one table [material.NAME] is needed, or materials_from = \"case.toml\"");

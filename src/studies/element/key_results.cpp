@@ -175,7 +175,7 @@ std::vector<KeyResult> oedometer_results(const TestRecord& record)
       modulus("E_oed_initial", slope(settings, record.rows[0], record.rows[1]), "E_oed, initial", "oedometer modulus over the first step"),
       modulus("E_oed", slope(settings, record.rows[n - 1], record.rows[n]), "E_oed, first loading",
               "oedometer modulus over the last step to the first entry of the path"),
-      ratio("k0_end", lateral_stress(last) / vertical_stress(last), "K0, end", "horizontal over vertical stress at the end")};
+      ratio("k0_end", lateral_stress(last) / vertical_stress(last), "K0, end", "ratio of horizontal to vertical stress at the end")};
 }
 
 std::vector<KeyResult> isotropic_results(const TestRecord& record)

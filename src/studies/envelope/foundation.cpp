@@ -117,10 +117,10 @@ std::string foundation_properties(const Foundation& f, int force_dimension)
   const auto line = [&](const char* name, Real value, const char* words) {
     text += fmt::format("{:<21} {:<24.17g} # {}\n", name, value, words);
   };
-  line("length", 1, plane ? "m of the strip: all forces are multiplied by it" : "forces are whole");
+  line("length", 1, plane ? "m of the strip: all forces are multiplied by it" : "forces of the whole footing");
   line("vertical_stiffness", f.k_v, "N/m");
   line("horizontal_stiffness", f.k_h, "N/m");
-  line("coupling_stiffness", f.k_hm, "N, of H over the rotation");
+  line("coupling_stiffness", f.k_hm, "N, H per rotation");
   line("rotational_stiffness", f.k_m, "N m");
   line("torsional_stiffness", f.k_m, "N m, not computed: a disk on elastic soil without change of volume has as much as in rotation");
   line("V_max", f.V_max, "N");
@@ -130,7 +130,7 @@ std::string foundation_properties(const Foundation& f, int force_dimension)
   line("tension", f.tension, "over V_max");
   line("b1", f.b1, "");
   line("b2", f.b2, "");
-  line("hardening", f.hardening, "N/m, of V_max over the plastic settlement");
+  line("hardening", f.hardening, "N/m, V_max per plastic settlement");
   return text;
 }
 

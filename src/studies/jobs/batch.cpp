@@ -57,7 +57,7 @@ void tell_of_rest(const Batch& batch)
 {
   const std::size_t all = batch.jobs.size(), interrupted = batch.count(Kind::interrupted), queued = batch.count(Kind::queued);
   const std::size_t done = all - interrupted - queued;
-  if (interrupted > 0) io::tell("interrupted: {} of {} {} are done; the same command goes on from there\n", done, all, batch.what);
+  if (interrupted > 0) io::tell("interrupted: {} of {} {} are done; the same command continues from there\n", done, all, batch.what);
   if (queued > 0) io::tell("queued: {} of {} {} are done; the same command collects the others\n", done, all, batch.what);
 }
 

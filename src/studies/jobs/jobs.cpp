@@ -33,7 +33,7 @@ bool hand_over(Queue& queue, Scheduler& scheduler)
 {
   if (scheduler.works_on(queue.handle())) {
     queue.check_holds_all();
-    io::tell("the runs of {} were handed over by an earlier command\n", queue.folder().string());
+    io::tell("the runs of {} were submitted by an earlier command\n", queue.folder().string());
     return true;
   }
   const std::vector<std::size_t> to_do = queue.to_do();
@@ -41,7 +41,7 @@ bool hand_over(Queue& queue, Scheduler& scheduler)
   queue.write(to_do);
   const std::string handle = scheduler.submit(queue.folder(), to_do.size());
   queue.hand_to(handle);
-  io::tell("{} run{} handed to {}; {} has what was handed over\n", to_do.size(), to_do.size() == 1 ? " is" : "s are", handle,
+  io::tell("{} run{} submitted to {}; {} has their commands\n", to_do.size(), to_do.size() == 1 ? " is" : "s are", handle,
            queue.folder().string());
   return true;
 }
@@ -116,7 +116,7 @@ void refuse_while_open(const fs::path& folder)
 {
   if (const std::string handle = Queue(folder, {}).handle(); !handle.empty())
     throw RunError(
-        fmt::format("{} says that the runs were handed over ({}): collect them by the same command with its --runner, or cancel them "
+        fmt::format("{} says that the runs were submitted ({}): collect them by the same command with its --runner, or cancel them "
                     "and remove that folder",
                     folder.string(), handle));
 }
@@ -128,7 +128,7 @@ void check_runner(const Runner& runner)
   if (const auto* command = std::get_if<ShellCommand>(&runner.by);
       command != nullptr && command->command.find("{jobs}") == std::string::npos)
     throw InputError(
-        fmt::format("--runner \"{}\" is neither slurm nor a command with {{jobs}}, which stands for the file that has one command a line",
+        fmt::format("--runner \"{}\" is neither slurm nor a command with {{jobs}}, which stands for the file with one command per line",
                     command->command));
   if (std::holds_alternative<Slurm>(runner.by) && !has_program("sbatch"))
     throw InputError("--runner slurm: there is no sbatch in PATH: this machine does not submit jobs to Slurm");

@@ -45,7 +45,7 @@ std::string line_of(Job job, const fs::path& queue)
   std::string line = fmt::format("sh {} {} {}", quoted((queue / "run_job").string()), quoted(job.folder.string()), quoted(this_program()));
   for (const std::string& word : words_of(job)) line += ' ' + quoted(word);
   if (line.find('\n') != std::string::npos)
-    throw InputError(fmt::format("{}: a path or a value with a line break cannot be handed to a scheduler", job.case_file.string()));
+    throw InputError(fmt::format("{}: a path or a value with a line break cannot be passed to a scheduler", job.case_file.string()));
   return line;
 }
 
@@ -143,7 +143,7 @@ JobEnd Queue::left_over(std::size_t job) const
   std::error_code error;
   if (status_of_job(job) || !fs::exists(messages_of(jobs_[job]), error)) return {};
   return {JobEnd::Kind::failed,
-          "was ended from outside, by a limit of time or memory or with its machine; the same command goes on from its last checkpoint"};
+          "was ended from outside, by a limit of time or memory or with its machine; the same command continues from its last checkpoint"};
 }
 
 void Queue::close()

@@ -42,8 +42,8 @@ public:
   {
     if (handle.empty()) return false;
     if (handle != any_handle)
-      throw RunError(
-          fmt::format("the runs were handed to {}: collect them by the same --runner, or cancel them and remove the folder queue", handle));
+      throw RunError(fmt::format(
+          "the runs were submitted to {}: collect them by the same --runner, or cancel them and remove the folder queue", handle));
     if (!process_) return true;
     if (wait_) return works();
     while (works() && !interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -53,7 +53,7 @@ public:
   void leave(const std::string&) override
   {
     if (!process_ || !works()) {
-      io::tell("the runs that were handed over stay so; the same command collects them\n");
+      io::tell("submitted runs continue; the same command collects them\n");
       return;
     }
     io::tell("stopped: the command of --runner and what it has started are asked to end\n");

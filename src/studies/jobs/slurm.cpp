@@ -80,7 +80,7 @@ private:
   static std::string number_of(const std::string& handle)
   {
     if (!handle.starts_with(before_number))
-      throw RunError(fmt::format("the runs were handed to a {}: collect them by the same --runner, or remove the folder queue", handle));
+      throw RunError(fmt::format("the runs were submitted to a {}: collect them by the same --runner, or remove the folder queue", handle));
     return handle.substr(std::string(before_number).size());
   }
 

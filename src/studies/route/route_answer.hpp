@@ -33,12 +33,12 @@ struct Screening {
   Real hobbs = nan;              ///< N, the smallest P_0 that has a buckle, of modes of two to four lobes
   int lobes = 0;                 ///< of that
   Real curve = nan;              ///< N, the force that pushes the line out of the curve it is laid in
-  Real lateral = nan;            ///< compression over the smaller of the two
+  Real lateral = nan;            ///< compression divided by the smaller of the two
   formulas::HobbsBuckle buckle;  ///< at that compression, with the best residual resistances; NaN where there is none
   Bounds anchor_spacing;         ///< m, between the virtual anchors of that buckle: low with the high axial residual
   Real feed_in = nan;            ///< m, that the line lengthens into it
   Real download = nan;           ///< N/m, that holds a buried line down on its prop
-  Real upheaval = nan;           ///< that over the weight in operation and the low uplift resistance
+  Real upheaval = nan;           ///< that divided by the weight in operation plus the low uplift resistance
 };
 
 /// The compression at a place of the route.

@@ -56,7 +56,7 @@ std::vector<Quantity> quantities(const SectionAnswer& answer)
   const Screening& screening = answer.screening;
   std::vector<Quantity> list = {{"V", "vertical force in operation", "N/m", soil.V}};
   add(list, "embedment_LE", "embedment", "embedment_HE", "embedment", "m", soil.embedment);
-  add(list, "vertical_stiffness_LE", "vertical_stiffness", "vertical_stiffness_HE", "vertical force over the embedment", "N/m^2",
+  add(list, "vertical_stiffness_LE", "vertical_stiffness", "vertical_stiffness_HE", "vertical force divided by the embedment", "N/m^2",
       soil.stiffness);
   add(list, "lateral_breakout_LE", "lateral_breakout", "lateral_breakout_HE", "lateral breakout resistance", "N/m", soil.lateral_breakout);
   add(list, "lateral_residual_LE", "lateral_residual", "lateral_residual_HE", "lateral residual resistance", "N/m", soil.lateral_residual);
@@ -65,26 +65,28 @@ std::vector<Quantity> quantities(const SectionAnswer& answer)
   add(list, "axial_breakout_LE", "axial_breakout", "axial_breakout_HE", "axial breakout resistance", "N/m", soil.axial_breakout);
   add(list, "axial_residual_LE", "axial_residual", "axial_residual_HE", "axial residual resistance", "N/m", soil.axial_residual);
   add(list, "uplift_LE", "uplift", "uplift_HE", "uplift resistance", "N/m", soil.uplift);
-  list.push_back({"constrained_force", "effective compression of a line that does not move, largest", "N", screening.constrained_force});
-  list.push_back({"compression", "effective compression that the axial resistance to the ends holds, largest", "N", screening.compression});
-  list.push_back({"hobbs_force", "smallest compression that has a lateral buckle, low resistances [Hobbs 1984]", "N", screening.hobbs});
-  list.push_back({"curve_force", "compression that pushes the line out of its curve, low lateral resistance", "N", screening.curve});
-  list.push_back({"lateral_utilisation", "compression over the smaller of the two", "1", screening.lateral});
+  list.push_back({"constrained_force", "largest effective compression of the fully restrained line", "N", screening.constrained_force});
+  list.push_back({"compression", "largest effective compression with the axial resistance to the ends", "N", screening.compression});
+  list.push_back({"hobbs_force", "smallest compression for a lateral buckle, low resistances [Hobbs 1984]", "N", screening.hobbs});
+  list.push_back({"curve_force", "compression at which the line leaves its curve, low lateral resistance", "N", screening.curve});
+  list.push_back({"lateral_utilisation", "compression divided by the smaller of the two", "1", screening.lateral});
   list.push_back({"buckle_amplitude", "amplitude of a buckle at that compression, best residual resistances [Hobbs 1984]", "m",
                   screening.buckle.amplitude});
   list.push_back({"buckle_moment", "its largest moment", "N m", screening.buckle.moment});
-  list.push_back({"feed_in", "elongation that it takes from both sides", "m", screening.feed_in});
+  list.push_back({"feed_in", "feed-in from both sides", "m", screening.feed_in});
   add(list, "anchor_spacing_LE", "anchor_spacing", "anchor_spacing_HE", "distance between its virtual anchors", "m",
       screening.anchor_spacing);
-  list.push_back({"required_download", "load that holds the line down on its prop [Palmer and others 1990]", "N/m", screening.download});
-  list.push_back({"upheaval_utilisation", "that over the weight in operation and the low uplift resistance", "1", screening.upheaval});
+  list.push_back(
+      {"required_download", "download that holds the line on the imperfection [Palmer and others 1990]", "N/m", screening.download});
+  list.push_back(
+      {"upheaval_utilisation", "that divided by the weight in operation plus the low uplift resistance", "1", screening.upheaval});
   std::erase_if(list, [](const Quantity& q) { return !std::isfinite(q.value); });
   return list;
 }
 
 std::string title_of(const RouteResults& results)
 {
-  return results.settings.title.empty() ? "A line along a route" : results.settings.title;
+  return results.settings.title.empty() ? "Pipeline along a route" : results.settings.title;
 }
 
 /// What is as bad as anywhere, in words; "" where it is known nowhere.
@@ -105,23 +107,23 @@ Words answer_in_words(const RouteResults& results)
 {
   Words words;
   const Real length = results.settings.section.back().to - results.settings.section.front().from;
-  for (std::string line : {worst_words(results, &Screening::lateral, "The line may buckle sideways", "The line does not buckle sideways"),
-                           worst_words(results, &Screening::upheaval, "The buried line may come up", "The buried line stays down")})
+  for (std::string line : {worst_words(results, &Screening::lateral, "Lateral buckling is possible", "No lateral buckling"),
+                           worst_words(results, &Screening::upheaval, "Upheaval buckling is possible", "No upheaval buckling")})
     if (!line.empty()) words.push_back(line);
   for (std::size_t k = 0; k < results.answer.size(); ++k) {
     const Screening& s = results.answer[k].screening;
     if (!(s.lateral > 1)) continue;
-    std::string line = fmt::format("{}: {:.4g} MN ({:.4g} MN of a line that does not move), {:.4g} MN needed for a buckle of {} lobes{}",
+    std::string line = fmt::format("{}: {:.4g} MN ({:.4g} MN fully restrained), {:.4g} MN needed for a buckle of {} lobes{}",
                                    name_of(results, k), s.compression / 1e6, s.constrained_force / 1e6, s.hobbs / 1e6, s.lobes,
                                    std::isnan(s.curve) ? "" : fmt::format(", {:.4g} MN in the curve", s.curve / 1e6));
     if (const Bounds& apart = s.anchor_spacing; apart.best > length)
       line += fmt::format(
-          ". Virtual anchors of one would lie {:.4g} m apart, more than the route is long: it takes the whole line, and Hobbs's "
-          "amplitude is more than it can have",
+          ". Its virtual anchors would be {:.4g} m apart, more than the length of the route: the whole line feeds in, and Hobbs's "
+          "amplitude is an upper bound",
           apart.best);
     else if (std::isfinite(apart.best))
-      line += fmt::format("; virtual anchors of one lie {:.4g} m apart ({:.4g} to {:.4g} m with the high and the low axial residual), and "
-                          "it takes {:.3g} m",
+      line += fmt::format("; its virtual anchors are {:.4g} m apart ({:.4g} to {:.4g} m with the high and the low axial residual), and "
+                          "the feed-in is {:.3g} m",
                           apart.best, apart.low, apart.high, s.feed_in);
     words.push_back(line + ".");
   }
@@ -178,7 +180,7 @@ std::string buckpy_csv(const RouteResults& results)
     add_bounds(row, soil.axial_breakout, soil.V);
     add_bounds(row, soil.hydrotest_breakout, results.settings.pipe.flooded.value_or(nan));
     add_bounds(row, soil.lateral_breakout, soil.V);
-    row.push_back(fmt::format("KP {:.3f} to {:.3f}: breakout over V; axial residual {} over V; {}", results.settings.section[k].from / 1000,
+    row.push_back(fmt::format("KP {:.3f} to {:.3f}: breakout / V; axial residual {} / V; {}", results.settings.section[k].from / 1000,
                               results.settings.section[k].to / 1000, number(soil.axial_residual.best / soil.V), soil.source));
     text += line_of(row);
   }

@@ -28,7 +28,7 @@ void describe(Describe& d, Pipe& pipe)
   d.value("lay_tension", pipe.lay_tension,
           {.meaning = "effective tension on the seabed while it is laid", .unit = "N", .range = not_negative});
   d.value("lay_factor", pipe.lay_factor,
-          {.meaning = "largest vertical load of laying over the weight; absent: by DNV-RP-F114 with the tension", .range = {1, 20}});
+          {.meaning = "largest vertical load of laying divided by the weight; absent: by DNV-RP-F114 with the tension", .range = {1, 20}});
 }
 
 void describe(Describe& d, Operation& operation)
@@ -49,15 +49,15 @@ void describe(Describe& d, Section& s)
   d.value("kp_from", s.from, {.meaning = "where it begins", .unit = "m", .required = true});
   d.value("kp_to", s.to, {.meaning = "where it ends", .unit = "m", .required = true});
   d.value("run", s.run,
-          {.meaning = "folder of a run, or of a study with a sample, seen from this file's folder: its springs instead of formulas"});
+          {.meaning = "folder of a run, or of a study with a sample, relative to this file's folder: its springs instead of formulas"});
   d.value("undrained_strength", s.strength,
           {.meaning = "s_u of clay at the seabed: [low, best, high], or [best]; absent: sand", .unit = "Pa", .range = not_negative});
   d.value("undrained_strength_gradient", s.gradient, {.meaning = "increase of s_u with depth", .unit = "Pa/m", .range = not_negative});
   d.value("submerged_unit_weight", s.unit_weight, {.meaning = "submerged unit weight of the soil", .unit = "N/m^3", .range = positive});
   d.value("sensitivity", s.sensitivity,
-          {.meaning = "undisturbed over remoulded strength: [low, best, high], or [best]", .range = {1, 100}});
+          {.meaning = "sensitivity, undisturbed divided by remoulded strength: [low, best, high], or [best]", .range = {1, 100}});
   d.value("adhesion_factor", s.adhesion_factor,
-          {.meaning = "alpha, share of s_u that the surface of the pipe has: [low, best, high], or [best]", .range = {0, 1}});
+          {.meaning = "adhesion factor alpha of the pipe surface: [low, best, high], or [best]", .range = {0, 1}});
   d.value(
       "strength_ratio", s.strength_ratio,
       {.meaning =

@@ -131,7 +131,8 @@ std::string page_html(const settings::Case& settings, const std::vector<Trial>& 
   html += "<h2>Definition of failure</h2>\n" + definition_html(settings);
   std::string pictures;
   for (const std::string& figure : figures)
-    pictures += picture_html(folder / (figure + ".png"), figure == "movement" ? "Displacement over the factor" : "Displacement over time");
+    pictures +=
+        picture_html(folder / (figure + ".png"), figure == "movement" ? "Displacement against the factor" : "Displacement over time");
   if (!pictures.empty()) html += fmt::format("<h2>Displacement</h2>\n<div class=\"pictures\">\n{}</div>\n", pictures);
   std::string soil;
   const auto add = [&](const std::optional<Real>& factor, const char* words) {

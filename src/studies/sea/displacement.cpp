@@ -99,10 +99,10 @@ RunBeside run_beside(const record::RunRecord& run, const std::vector<settings::S
     beside.track.time.push_back(history["time_s"][row]);
     beside.track.u.push_back(history["u_m"][row]), beside.track.w.push_back(history["w_m"][row]);
   }
-  if (beside.track.time.empty()) throw RunError(fmt::format("soil.runs: {} has not come to its stage \"{}\"", folder, stage->name));
+  if (beside.track.time.empty()) throw RunError(fmt::format("soil.runs: {} has not reached its stage \"{}\"", folder, stage->name));
   const Real begin = beside.track.time.front();
   if (beside.track.time.back() - begin < (1 - 1e-3) * stage->load_times.back())
-    throw RunError(fmt::format("soil.runs: {} has not gone through its stage \"{}\": resume it", folder, stage->name));
+    throw RunError(fmt::format("soil.runs: {} has not finished its stage \"{}\": resume it", folder, stage->name));
   for (Real& time : beside.track.time) time -= begin;
   return beside;
 }

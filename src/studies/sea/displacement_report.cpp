@@ -54,7 +54,7 @@ bool draw_tracks(const Displacements& moved, const std::filesystem::path& folder
 bool draw_distribution(std::vector<Real> largest, const std::filesystem::path& folder)
 {
   plot::Figure figure;
-  figure.title = "Largest displacement of a realisation: part of the seeds below it, (i - 0.3)/(n + 0.4)";
+  figure.title = "Largest displacement of a realisation: fraction of the seeds below it, (i - 0.3)/(n + 0.4)";
   figure.x_label = "largest displacement (m)";
   figure.y_label = "probability";
   figure.more = plot::from_zero;
@@ -107,7 +107,8 @@ std::vector<std::string> words_of(const SeaCase& c, const Displacements& moved)
   const MovedPipe n = moved_pipe(c, moved);
   std::vector<std::string> words = {fmt::format(
       "On its macro-element, with the loads of its own velocity and embedment, the pipe moves {:.3g} m ({:.3g} D) at most in a realisation "
-      "of {:.3g} h: mean of {} seeds, standard deviation {:.2g} m, largest {:.3g} m; it lies {:.3g} m deep then ({:.2g} s for all seeds).",
+      "of {:.3g} h: mean of {} seeds, standard deviation {:.2g} m, largest {:.3g} m; its embedment is {:.3g} m then ({:.2g} s for all "
+      "seeds).",
       n.largest.mean, n.largest.mean / D, c.sea.duration / 3600, moved.seeds.size(), n.largest.deviation, n.largest_of_all,
       n.embedment.mean, moved.wall_s)};
   for (const RunBeside& run : moved.runs) {
@@ -131,8 +132,8 @@ std::string displacement_section(const SeaCase& c, const Displacements& moved, c
   if (moved.seeds.size() > 2 && draw_distribution(values_of(c, moved.seeds, [](const TrackNumbers& n) { return n.largest; }), folder))
     html += picture(folder, "distribution", "distribution of the largest displacement");
   html += "<table>\n" +
-          text::plain_row({"", "waves", "largest |u| (m)", "over D", "largest half-cycle (m)", "at the end (m)", "largest embedment (m)"},
-                          2, 6, "th");
+          text::plain_row({"", "waves", "largest |u| (m)", "/ D", "largest half-cycle (m)", "at the end (m)", "largest embedment (m)"}, 2,
+                          6, "th");
   const auto row = [&](const std::string& name, const std::string& waves, const Track& track) {
     html += text::plain_row(cells_of(name, waves, numbers_of(track, D), D), 2, 6, "td");
   };

@@ -33,7 +33,7 @@ struct LoadWave {
 };
 std::vector<LoadWave> waves_of(const LoadRecord& record);
 
-/// Those of the largest |H|, at most so many, one after the other in the order in which they come.
+/// Those of the largest |H|, at most so many, one after the other in the order in which they occur.
 std::vector<LoadWave> largest_waves(std::vector<LoadWave> waves, std::size_t count);
 
 }  // namespace berm::sea

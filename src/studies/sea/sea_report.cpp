@@ -49,9 +49,9 @@ std::vector<Quantity> quantities(const SeaResults& results)
   std::vector<Quantity> all = {
       {"significant_height", "H_s", "significant wave height, of the spectrum", a.height, "m", ""},
       {"direction_factor", "R_D", "factor of the directions on the velocity", a.direction_factor, "1", waves},
-      {"significant_velocity", "U_s", "significant velocity at the seabed, square to the pipe", a.waves.velocity, "m/s", waves},
+      {"significant_velocity", "U_s", "significant velocity at the seabed, normal to the pipe", a.waves.velocity, "m/s", waves},
       {"mean_period", "T_u", "mean period of the velocity at the seabed", a.waves.period, "s", waves},
-      {"current", "V_c", "current over the height of the pipe, square to it", a.current, "m/s", code},
+      {"current", "V_c", "mean current over the height of the pipe, normal to it", a.current, "m/s", code},
       {"design_velocity", "U*", "amplitude of the largest oscillation in the sea state", a.design.velocity.value, "m/s", code,
        a.design.velocity.valid},
       {"design_period", "T*", "its period", a.design.period.value, "s", code, a.design.period.valid},
@@ -61,9 +61,9 @@ std::vector<Quantity> quantities(const SeaResults& results)
       {"weight_parameter", "L", "w_s / (rho D/2 U_s^2)", n.L, "1", ""},
       {"embedment", "w", "embedment of the pipe", a.embedment, "m",
        c.pipe.embedment || !c.bed.unit_weight ? "" : "Verley and Sotberg 1994"},
-      {"horizontal_reduction", "r_y", "part of the horizontal load that is left", a.left.horizontal.value, "1", code,
+      {"horizontal_reduction", "r_y", "reduction factor of the horizontal load", a.left.horizontal.value, "1", code,
        a.left.horizontal.valid},
-      {"vertical_reduction", "r_z", "part of the vertical load that is left", a.left.vertical.value, "1", code, a.left.vertical.valid},
+      {"vertical_reduction", "r_z", "reduction factor of the vertical load", a.left.vertical.value, "1", code, a.left.vertical.valid},
       {"peak_horizontal_coefficient", "C_Y*", "peak horizontal load coefficient", a.peak.horizontal.value, "1", code,
        a.peak.horizontal.valid},
       {"peak_vertical_coefficient", "C_Z*", "peak vertical load coefficient", a.peak.vertical.value, "1", code, a.peak.vertical.valid},
@@ -82,7 +82,7 @@ std::vector<Quantity> quantities(const SeaResults& results)
   if (a.shields) {
     all.push_back({"shields", "theta", "Shields parameter of the bed in a significant wave", a.shields->value, "1", "Soulsby 1997",
                    a.shields->valid});
-    all.push_back({"critical_shields", "theta_cr", "from which on the sand moves", a.critical_shields->value, "1",
+    all.push_back({"critical_shields", "theta_cr", "threshold of motion of the sand", a.critical_shields->value, "1",
                    "Soulsby and Whitehouse 1997", a.critical_shields->valid});
   }
   if (results.moved) {
@@ -111,7 +111,7 @@ std::vector<std::string> answer_in_words(const SeaResults& results)
   const SeaAnswer& a = results.answer;
   const Utilisation used = absolute_stability(c, a);
   std::vector<std::string> words = {
-      fmt::format("In {:.3g} h of H_s = {:.3g} m in {:.3g} m of water the velocity at the seabed, square to the pipe, is U_s = {:.3g} m/s "
+      fmt::format("In {:.3g} h of H_s = {:.3g} m in {:.3g} m of water the velocity at the seabed, normal to the pipe, is U_s = {:.3g} m/s "
                   "with a mean "
                   "period of {:.3g} s; the largest oscillation has {:.3g} m/s, the current {:.3g} m/s.",
                   c.sea.duration / 3600, a.height, c.sea.depth, a.waves.velocity, a.waves.period, a.design.velocity.value, a.current),
@@ -120,11 +120,11 @@ std::vector<std::string> answer_in_words(const SeaResults& results)
                   "{:.3g} lateral, {:.3g} vertical, at most 1).",
                   a.horizontal, a.vertical, c.pipe.weight,
                   used.lateral <= 1 && used.vertical <= 1 ? "has absolute lateral stability: it does not move"
-                                                          : "has no absolute lateral stability: how far it moves is to be found",
+                                                          : "has no absolute lateral stability: its displacement has to be computed",
                   used.lateral, used.vertical)};
   if (c.bed.unit_weight)
     words.push_back(fmt::format(
-        "With {:.4g} N/m it would move half a diameter at most by the generalised method of DNV-RP-F109{}: {:.3g} of what it has.",
+        "With {:.4g} N/m it would move half a diameter at most by the generalised method of DNV-RP-F109{}: {:.3g} of its weight.",
         a.stable_weight.value, a.stable_weight.valid ? "" : " (outside its range)", a.stable_weight.value / c.pipe.weight));
   const MeanAndScatter H = over_seeds(a, [](const Extremes& e) { return e.H; });
   words.push_back(fmt::format("By Morison's equation the largest |H| is {:.3g} N/m, {:.2g} N/m standard deviation over {} seeds.", H.mean,
@@ -134,13 +134,13 @@ std::vector<std::string> answer_in_words(const SeaResults& results)
         fmt::format("In a significant wave the Shields parameter of the bed is {:.2g}, and sand of {:.3g} mm moves from {:.2g} on: {}.",
                     a.shields->value, 1e3 * *c.bed.grain_size, a.critical_shields->value,
                     a.shields->value > a.critical_shields->value
-                        ? "the sea moves the bed, and scour, self-burial and backfill change the embedment, which berm does not compute"
-                        : "the bed is at rest but at the pipe, where the flow is faster"));
+                        ? "the sediment is mobile, and scour, self-burial and backfill change the embedment, which berm does not compute"
+                        : "the sediment is not mobile except at the pipe, where the flow is faster"));
   const auto lifted = std::count_if(a.extremes.begin(), a.extremes.end(), [](const Extremes& e) { return e.least_V <= 0; });
   if (lifted > 0)
     words.push_back(
         fmt::format("Lift is more than the weight in {} of {} realisations: the pipe leaves the seabed.", lifted, a.extremes.size()));
-  words.emplace_back("Loads are those of a pipe at rest, with its embedment at the start: as it moves with the water they become less.");
+  words.emplace_back("Loads are those of a pipe at rest, with its embedment at the start: they decrease as it moves with the water.");
   if (results.moved)
     for (std::string& sentence : words_of(c, *results.moved)) words.push_back(std::move(sentence));
   return words;
@@ -185,8 +185,8 @@ std::string storm_toml(const SeaResults& results)
   Real mean = 0, rows = 0;
   for (const LoadRecord& record : results.answer.records)
     for (const Real H : record.H) mean += H, ++rows;
-  return fmt::format("# Parcels of berm cyclic: half the heights of the waves of H, mean over {} seeds; cycles of a class that comes less "
-                     "than once are 1.\n"
+  return fmt::format("# Parcels of berm cyclic: half the heights of the waves of H, mean over {} seeds; a class with less "
+                     "than one cycle has 1.\n"
                      "[storm]\ncycles = [{}]\nload = [{}]\naverage_load = \"{:.4g} N/m\"\n",
                      results.answer.records.size(), fmt::join(cycles, ", "), fmt::join(loads, ", "), std::abs(mean / rows));
 }

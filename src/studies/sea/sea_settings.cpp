@@ -35,7 +35,7 @@ void describe(Describe& d, PiersonMoskowitz& sea)
 void describe(Describe& d, SpectrumTable& sea)
 {
   d.value("table", sea.table,
-          {.meaning = "CSV file of columns frequency_Hz and density (m2/Hz), of the sea's elevation, seen from this file's folder",
+          {.meaning = "CSV file of columns frequency_Hz and density (m2/Hz), of the sea's elevation, relative to this file's folder",
            .required = true});
 }
 
@@ -112,24 +112,24 @@ void describe(Describe& d, Bed& bed)
 
 void describe(Describe& d, Soil& soil)
 {
-  d.value("macro_element", soil.macro_element,
-          {.meaning =
-               "folder of berm macro-element, or its macro_element.json, of this pipe in this soil, seen from this file's folder: it gives "
-               "the displacement of each realisation",
-           .required = true});
+  d.value(
+      "macro_element", soil.macro_element,
+      {.meaning =
+           "folder of berm macro-element, or its macro_element.json, of this pipe in this soil, relative to this file's folder: it gives "
+           "the displacement of each realisation",
+       .required = true});
   d.value("laying_force", soil.laying_force,
           {.meaning = "vertical force with which the pipe was laid; absent: its submerged weight", .unit = "N/m", .range = positive});
   d.value("runs", soil.runs,
-          {.meaning =
-               "run folders of stages through waves_SEED.csv of this sea state, whose displacements are to stand beside, seen from this "
-               "file's folder"});
+          {.meaning = "run folders of stages through waves_SEED.csv of this sea state, whose displacements are compared, relative to this "
+                      "file's folder"});
 }
 
 void describe(Describe& d, Record& record)
 {
   d.value("seeds", record.seeds, {.meaning = "number of realisations of the sea state", .range = {1, 100}});
   d.value("waves", record.waves,
-          {.meaning = "number of the largest waves that a load table holds, in the order in which they come", .range = {1, 1000}});
+          {.meaning = "number of the largest waves that a load table holds, in the order in which they occur", .range = {1, 1000}});
   d.value("step", record.step, {.meaning = "time between rows; absent: a fortieth of T_p", .unit = "s", .range = positive});
 }
 
@@ -139,8 +139,8 @@ void describe(Describe& d, SeaCase& c)
   d.table("sea", c.sea, {.meaning = "sea state"});
   d.optional_table("current", c.current, {.meaning = "steady current"});
   d.table("pipe", c.pipe, {.meaning = "pipe or cable on the seabed"});
-  d.table("bed", c.bed, {.meaning = "seabed, and what is asked of the pipe"});
-  d.optional_table("soil", c.soil, {.meaning = "what finds the displacement of the pipe in the sea state"});
+  d.table("bed", c.bed, {.meaning = "seabed and safety factor"});
+  d.optional_table("soil", c.soil, {.meaning = "displacement of the pipe in the sea state"});
   d.table("record", c.record, {.meaning = "loads over time"});
   constexpr Real flat = 5 * degree * (1 - 1e-9);
   d.check(c.bed.trench_depth == 0 || c.bed.trench_angle >= flat, "bed.trench_angle", "of a trench is from 5 to 45 deg");
@@ -162,7 +162,7 @@ formulas::WaveSpectrum read_spectrum(const std::filesystem::path& file)
   std::vector<Real> frequency, density;
   const auto take = [&](Real f, const std::vector<std::size_t>&, const std::vector<Real>& values) -> std::string {
     if (!(f > 0)) return fmt::format("frequency = {:.6g} Hz is not more than 0", f);
-    if (!frequency.empty() && !(2 * pi * f > frequency.back())) return "the frequency is to rise from row to row";
+    if (!frequency.empty() && !(2 * pi * f > frequency.back())) return "frequencies must ascend";
     if (!(values.front() >= 0)) return fmt::format("density = {:.6g} is negative", values.front());
     frequency.push_back(2 * pi * f), density.push_back(values.front() / (2 * pi));
     return "";

@@ -105,7 +105,7 @@ Json quantities_json(const FitResults& results)
     add(key.free.key, key.value, unit_of(key.free), "value that was found");
     add(key.free.key + ".standard_error", key.error, unit_of(key.free), "its standard error");
   }
-  add("misfit", results.soil.misfit, "1", "root of the mean square of computed less measured, over the largest of each curve");
+  add("misfit", results.soil.misfit, "1", "root of the mean square of computed less measured, divided by the largest of each curve");
   add("misfit_at_start", results.soil.misfit_at_start, "1", "the same of the material in the input");
   for (const bool held_out : {false, true})
     for (const MarkKind& kind : mark_kinds)
@@ -124,7 +124,7 @@ Json quantities_json(const FitResults& results)
       add(test.measured.name + ".depth", test.measured.passages->depth, "m", "middle of the interval below the seabed");
       add(test.measured.name + ".first_resistance", resistance.front(), "Pa", "measured in the first passage");
       add(test.measured.name + ".last_over_first", resistance.back() / resistance.front(), "",
-          "measured resistance, last over first passage");
+          "measured resistance, last divided by first passage");
     }
   return all;
 }
@@ -207,8 +207,8 @@ struct MaterialWriter {
 
 std::string priors_toml(const FitResults& results)
 {
-  std::string toml =
-      "# For the [sample] of a study: 5 and 95 % of each key by the standard error of the fit. How much the ground varies is not in it.\n";
+  std::string toml = "# For the [sample] of a study: 5 and 95 % of each key by the standard error of the fit. The variability of the "
+                     "ground is not included.\n";
   for (const FittedKey& key : results.soil.keys) {
     if (key.at_bound || !std::isfinite(key.error)) continue;
     const auto at = [&](Real value) { return quantity_of(key.free, std::clamp(value, key.free.from, key.free.to), 7); };
@@ -301,12 +301,12 @@ std::vector<std::string> words_of_misfit(const FittedSoil& soil)
 std::string page_html(const FitResults& results, const std::vector<std::string>& figures, const fs::path& folder)
 {
   std::string html = fmt::format("<h1>{}</h1>\n", text::html_text(title_of(results)));
-  html += "<p>Keys of the soil at which the law comes nearest to the measured tests, by least squares. Standard errors are those of the "
+  html += "<p>Keys of the soil fitted to the measured tests by least squares. Standard errors are those of the "
           "fit: how much the "
-          "ground varies, and what the law cannot do, is not in them.</p>\n";
+          "ground varies, and the error of the law, are not in them.</p>\n";
   html += keys_html(results) + list_html(words_of_misfit(results.soil));
   if (const std::vector<std::string> what = doubts(results.soil); !what.empty())
-    html += "<h2>What the tests do not tell</h2>\n" + list_html(what);
+    html += "<h2>What the tests do not determine</h2>\n" + list_html(what);
   html += "<h2>Soil, to paste into a case</h2>\n<pre>" + text::html_text(material_toml(results)) + "</pre>\n";
   html += "<h2>Measured and computed</h2>\n<div class=\"pictures\">\n";
   for (const std::string& figure : figures) html += plot::html_image(folder, figure, figure);
@@ -368,22 +368,22 @@ std::vector<std::string> doubts(const FittedSoil& soil)
       const std::vector<std::string> own = doubts_of_passages(test.measured, test.computed[0]);
       all.insert(all.end(), own.begin(), own.end());
     } else if (!test.measured.by_stress() && most < little_strain)
-      all.push_back(fmt::format("{} goes to {:.2g} % of strain: is the unit of its strain right?", test.measured.name, 100 * most));
+      all.push_back(fmt::format("{} reaches only {:.2g} % of strain: is the unit of its strain right?", test.measured.name, 100 * most));
   }
   for (const FittedKey& key : soil.keys) {
     if (key.at_bound)
-      all.push_back(fmt::format("{} ends at its bound, {}: the tests would have it beyond; widen the bound, or doubt the law", key.free.key,
+      all.push_back(fmt::format("{} ends at its bound, {}: the best fit lies beyond; widen the bound, or question the law", key.free.key,
                                 quantity_of(key.free, key.value)));
     else if (!std::isfinite(key.error) || key.error > slope_of(key.free, key.value) / 2)
       all.push_back(
-          fmt::format("{} is not told by these tests: keep it at a value that is known, and leave it out of [[free]]", key.free.key));
+          fmt::format("{} is not determined by these tests: keep it at a value that is known, and leave it out of [[free]]", key.free.key));
   }
   for (std::size_t i = 0; i < soil.keys.size(); ++i)
     for (std::size_t j = i + 1; j < soil.keys.size(); ++j)
       if (const Real r = soil.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)); std::abs(r) > much)
-        all.push_back(
-            fmt::format("{} and {} are told together alone (correlation {:.3f}): fix one of them, or add a test that tells them apart",
-                        soil.keys[i].free.key, soil.keys[j].free.key, r));
+        all.push_back(fmt::format(
+            "only a combination of {} and {} is determined (correlation {:.3f}): fix one of them, or add a test that separates them",
+            soil.keys[i].free.key, soil.keys[j].free.key, r));
   for (const FlatDirection& direction : soil.flat) {
     std::string steps;
     Real most = 0;
@@ -393,7 +393,7 @@ std::vector<std::string> doubts(const FittedSoil& soil)
         steps +=
             fmt::format("{}{} {}{}", steps.empty() ? "" : ", ", soil.keys[k].free.key, direction.step[k] > 0 ? "+" : "-",
                         quantity_of(soil.keys[k].free, std::abs(direction.step[k]) * slope_of(soil.keys[k].free, soil.keys[k].value), 2));
-    all.push_back("a flat direction, by one standard error: " + steps);
+    all.push_back("a direction that the tests hardly determine, by one standard error: " + steps);
   }
   return all;
 }

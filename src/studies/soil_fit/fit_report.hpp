@@ -28,7 +28,7 @@ std::vector<std::string> draw_figures(const FitResults& results, const std::file
 /// The material with what was found, as TOML to paste into a case.
 std::string material_toml(const FitResults& results);
 
-/// What the tests do not tell, a sentence each; none where they tell all keys.
+/// What the tests do not determine, a sentence each; none where they tell all keys.
 std::vector<std::string> doubts(const FittedSoil& soil);
 
 }  // namespace berm::soil_fit

@@ -21,11 +21,12 @@ void describe_tool(Describe& d, Penetrometer& tool, const char* least_area)
 {
   d.value("diameter", tool.diameter, {.meaning = "diameter of the tool", .unit = "m", .range = positive, .required = true});
   d.value("area", tool.area, {.meaning = least_area, .unit = "m^2", .range = positive});
-  d.value("resistance_factor", tool.resistance_factor,
-          {.meaning =
-               "resistance over the undrained strength of clay that neither softens nor has a rate effect; undrained_strength goes by "
-               "it, sensitivity and ductility do not",
-           .range = positive});
+  d.value(
+      "resistance_factor", tool.resistance_factor,
+      {.meaning =
+           "resistance divided by the undrained strength of clay that neither softens nor has a rate effect; undrained_strength depends on "
+           "it, sensitivity and ductility do not",
+       .range = positive});
   d.value("passage_strain", tool.passage_strain,
           {.meaning =
                "plastic shear strain xi_T that one passage leaves in the clay on average [recalled: Zhou and Randolph 2009]; ductility is "
@@ -70,12 +71,12 @@ const char* word_of(const MeasuredKind& kind)
 
 void describe(Describe& d, TBar& bar)
 {
-  describe_tool(d, bar, "of a file with a force: the area that it is over, diameter times length");
+  describe_tool(d, bar, "of a file with a force: the area that it acts on, diameter times length");
 }
 
 void describe(Describe& d, Ball& ball)
 {
-  describe_tool(d, ball, "of a file with a force: the area that it is over (absent: the cross-section of the ball)");
+  describe_tool(d, ball, "of a file with a force: the area that it acts on (absent: the cross-section of the ball)");
 }
 
 Real value_at(const FreeKey& free, Real x)
@@ -96,7 +97,7 @@ Real slope_of(const FreeKey& free, Real value)
 
 void describe(Describe& d, FreeKey& free)
 {
-  d.value("key", free.key, {.meaning = "key of the material that is looked for, such as friction_angle", .required = true});
+  d.value("key", free.key, {.meaning = "key of the material that is fitted, such as friction_angle", .required = true});
   d.value("from", free.from, {.meaning = "its least value", .required = true, .any_unit = &free.unit});
   d.value("to", free.to, {.meaning = "its greatest value", .required = true, .any_unit = &free.unit});
 }
@@ -104,7 +105,7 @@ void describe(Describe& d, FreeKey& free)
 void describe(Describe& d, MeasuredFile& measured)
 {
   d.value("name", measured.name, {.meaning = "name, for messages; where the file has one test, that of the test", .required = true});
-  d.value("file", measured.file, {.meaning = "CSV file with headings, or file of AGS 4, seen from this file's folder", .required = true});
+  d.value("file", measured.file, {.meaning = "CSV file with headings, or file of AGS 4, relative to this file's folder", .required = true});
   using namespace element;
   d.one_of(
       "kind", measured.kind, {Triaxial::word, Biaxial::word, SimpleShear::word, Isotropic::word, Oedometer::word, TBar::word, Ball::word},
@@ -126,7 +127,7 @@ void describe(Describe& d, MeasuredFile& measured)
            .range = positive});
   d.value("strain_rate", measured.strain_rate,
           {.meaning = "rate of the axial strain (simple_shear: of the shear strain; t_bar and ball: of the clay around the tool, some 0.4 "
-                      "times its speed over its diameter); absent: so slow that the strength does not depend on it",
+                      "times its speed divided by its diameter); absent: so slow that the strength does not depend on it",
            .unit = "1/s",
            .range = positive});
 }
@@ -135,7 +136,7 @@ void describe(Describe& d, FitCase& c)
 {
   d.value("title", c.title, {.meaning = "title of the page"});
   d.named_tables("material", c.material, {.meaning = "the soil; the values of its free keys are where the search begins"});
-  d.array("free", c.free, {.meaning = "keys of the soil that are looked for", .required = true});
+  d.array("free", c.free, {.meaning = "keys of the soil that are fitted", .required = true});
   d.array("measured", c.measured, {.meaning = "measured tests", .required = true});
   d.value("starts", c.starts,
           {.meaning = "number of searches: from the material as it is, and from other places within the bounds", .range = {1, 100}});

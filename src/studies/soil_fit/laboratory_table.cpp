@@ -23,7 +23,7 @@ constexpr ReadingWord words[reading_count] = {{"axial_strain", "1", "axial strai
                                               {"volumetric_strain", "1", "volumetric strain"},
                                               {"void_ratio", "1", "void ratio"},
                                               {"q", "Pa", "vertical less lateral stress"},
-                                              {"stress_ratio", "1", "vertical over lateral effective stress"},
+                                              {"stress_ratio", "1", "vertical divided by lateral effective stress"},
                                               {"p", "Pa", "mean effective stress"},
                                               {"vertical_stress", "Pa", "vertical effective stress"},
                                               {"lateral_stress", "Pa", "lateral effective stress"},
@@ -187,7 +187,7 @@ void LaboratoryTable::find_columns(const MeasuredFile& settings)
       throw InputError(fmt::format("{}: the column {} has no unit: measured.{}.columns = {{{} = \"{} ({})\"}}", file_.string(),
                                    input::in_quotes(heading), name_, word.word, heading, usual_units(word.unit).first));
     if (!unit.empty() && !std::isfinite(size_of_unit(unit, word.unit)))
-      throw InputError(fmt::format("{}: the column {} is {}, and {} is no unit of it: {}", file_.string(), input::in_quotes(heading),
+      throw InputError(fmt::format("{}: the column {} is {}, and {} is not a unit of it: {}", file_.string(), input::in_quotes(heading),
                                    word.meaning, input::in_quotes(unit), usual_units(word.unit).second));
   }
   if (!test_column_.empty()) column_named(test_column_, nullptr);
@@ -199,7 +199,7 @@ Real LaboratoryTable::number(std::size_t column, std::size_t row) const
   if (field.empty() || field == "nan" || field == "NaN") return nan;
   const std::optional<Real> number = input::number_in(field);
   if (!number)
-    refuse(row, fmt::format("{} in the column {} is no number", input::in_quotes(field), input::in_quotes(columns_[column].heading)));
+    refuse(row, fmt::format("{} in the column {} is not a number", input::in_quotes(field), input::in_quotes(columns_[column].heading)));
   return *number;
 }
 

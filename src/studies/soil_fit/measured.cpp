@@ -122,7 +122,7 @@ void check_numbers(const Columns& of)
       of.refuse(row, fmt::format("{} is {:.4g}, which no specimen strains by: is its unit %?", name, x));
     if (reading == Reading::axial_strain && x < slack && !any_above(reading, -slack))
       of.refuse(row,
-                fmt::format("{} goes to {:.4g}: compression is positive, and in a test with direction = \"extension\" extension", name, x));
+                fmt::format("{} reaches {:.4g}: compression is positive, and in a test with direction = \"extension\" extension", name, x));
   }
   for (const Reading reading : {Reading::q, Reading::p, Reading::vertical_stress, Reading::lateral_stress, Reading::tau}) {
     if (!of.has(reading)) continue;
@@ -132,7 +132,7 @@ void check_numbers(const Columns& of)
     if (const auto below = first_below(reading, touch); below && !may_be_negative)
       of.refuse(*below, fmt::format("{} is {:.4g} Pa: stresses are effective, and compression is positive", name, of.at(reading, *below)));
     if (reading == Reading::q && extends && of.at(reading, of.rows.size() - 1) > of.at(reading, 0))
-      of.refuse(of.rows.size() - 1, fmt::format("{} goes up to {:.4g} Pa: in extension q, vertical less lateral stress, goes down", name,
+      of.refuse(of.rows.size() - 1, fmt::format("{} rises to {:.4g} Pa: in extension q, vertical less lateral stress, decreases", name,
                                                 of.at(reading, of.rows.size() - 1)));
     if (const Real x = std::abs(of.at(reading, row)); x < least_stress || x > most_stress)
       of.refuse(row, fmt::format("{} is {:.4g} Pa at most, which is not a stress of a test of soil: is its unit right?", name, x));

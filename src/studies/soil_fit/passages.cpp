@@ -78,7 +78,7 @@ Soundings soundings_of(const MeasuredFile& file, const LaboratoryTable& table, c
   if (!table.has(Reading::resistance)) {
     const bool is_ball = std::holds_alternative<Ball>(file.kind);
     if (!tool.area && !is_ball)
-      table.refuse(rows.front(), fmt::format("{} is over an area, diameter times length of the bar: measured.{}.area",
+      table.refuse(rows.front(), fmt::format("{} is a force, and needs an area, diameter times length of the bar: measured.{}.area",
                                              table.words_of(Reading::force), file.name));
     area = tool.area.value_or(pi / 4 * tool.diameter * tool.diameter);
   }
@@ -90,7 +90,7 @@ Soundings soundings_of(const MeasuredFile& file, const LaboratoryTable& table, c
     if (depth < -tool.diameter)
       table.refuse(row, fmt::format("{} is {:.4g} m: it is positive below the seabed", table.words_of(Reading::depth), depth));
     if (depth > most_depth)
-      table.refuse(row, fmt::format("{} is {:.4g} m, which no such test reaches below the seabed: is its unit right?",
+      table.refuse(row, fmt::format("{} is {:.4g} m, deeper below the seabed than any such test: is its unit right?",
                                     table.words_of(Reading::depth), depth));
     all.rows.push_back(row), all.depth.push_back(depth), all.resistance.push_back(resistance);
   }
@@ -162,7 +162,7 @@ std::vector<MeasuredTest> passages_of(const MeasuredFile& file, const Laboratory
   const Soundings soundings = soundings_of(file, table, rows);
   const std::vector<Stroke> strokes = strokes_of(soundings.depth, tool.diameter);
   if (!strokes.empty() && !strokes.front().down)
-    table.refuse(soundings.rows.front(), "the tool goes up first: the first penetration, through intact clay, is needed");
+    table.refuse(soundings.rows.front(), "the tool moves up first: the first penetration, through intact clay, is needed");
   std::vector<std::vector<Stroke>> intervals = intervals_of(strokes, soundings.depth, tool.diameter);
   std::size_t most = 0;
   for (const std::vector<Stroke>& interval : intervals) most = std::max(most, interval.size());
@@ -232,7 +232,7 @@ std::vector<std::string> doubts_of_passages(const MeasuredTest& test, const std:
     const Real left = per_passage * ratio / (1 - ratio);  // of a geometric series
     if (ratio < 1 && left > unfinished * (law_last - left))
       all.push_back(fmt::format("{}: after the last passage the clay would lose another {:.0f} % of its resistance: the sensitivity is an "
-                                "extrapolation, and more cycles would tell it",
+                                "extrapolation, and more cycles would show it",
                                 test.name, 100 * left / law_last));
   }
   if (passages.depth < shallow * diameter)

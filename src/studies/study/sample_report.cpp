@@ -153,7 +153,7 @@ std::string write_sample_report(const StudyPlan& plan, const std::filesystem::pa
       fmt::format("{}{}", drawn ? " best: the run with all parameters at their medians." : "",
                   study.sample ? " The sample is samples.csv." : ""));
   if (std::any_of(estimates.begin(), estimates.end(), [](const Estimate& e) { return e.failed > 0; }))
-    text += "Runs that failed are not in these numbers: where they are at one end of the sample, that end is missing.\n";
+    text += "Failed runs are not included: where they are at one end of the sample, that end is missing.\n";
   Words pictures;
   for (const Estimate& estimate : estimates) {
     std::string name = picture_name(plan, estimate);

@@ -65,7 +65,7 @@ std::pair<std::string, std::string> condition_of(const input::Document& document
   keys.insert(keys.begin(), case_key);
   const std::string path = "skip." + node.key;
   const auto axis = std::find(keys.begin(), keys.end(), node.key);
-  if (axis == keys.end()) refuse(document, node, path, "is no axis" + input::suggestion(node.key, keys));
+  if (axis == keys.end()) refuse(document, node, path, "is not an axis" + input::suggestion(node.key, keys));
   if (axis != keys.begin()) values = names_of(study.axis[static_cast<std::size_t>(axis - keys.begin()) - 1].value);
   if (node.kind != input::Node::Kind::text) refuse(document, node, path, fmt::format("must be a name in quotes, not {}", kind_of(node)));
   if (!contains(values, node.text))
@@ -145,7 +145,7 @@ void add_tables(const input::Document& document, Study& study)
 void describe(Describe& d, StudyCase& c)
 {
   d.value("name", c.name, {.meaning = "name of the case in the table", .required = true});
-  d.value("file", c.file, {.meaning = "case file, seen from the study's folder", .required = true});
+  d.value("file", c.file, {.meaning = "case file, relative to the study's folder", .required = true});
   d.value("set", c.set, {.meaning = "parameters changed in this case, each KEY=VALUE as for --set"});
 }
 
@@ -165,7 +165,7 @@ void describe(Describe& d, StudyTable& table)
 {
   d.value("name", table.name, {.meaning = "what is varied; absent: the name of the file"});
   d.value("file", table.file,
-          {.meaning = "CSV file with keys in its first line and a row a line, seen from the study's folder", .required = true});
+          {.meaning = "CSV file with keys in its first line and one row per line, relative to the study's folder", .required = true});
 }
 
 void describe(Describe& d, StudySkip& skip)
@@ -178,9 +178,9 @@ void describe(Describe& d, StudyMeasure& measure)
   d.value("name", measure.name, {.meaning = "heading of the column", .required = true});
   describe(d, measure.observable);
   d.value("unit", measure.unit, {.meaning = "unit that is shown; absent: the SI unit of the number"});
-  d.value("scale", measure.scale, {.meaning = "shown number over the number in SI units"});
+  d.value("scale", measure.scale, {.meaning = "shown number divided by the number in SI units"});
   d.value("cases", measure.cases, {.meaning = "only for these cases; absent = all"});
-  d.value("limit", measure.limit, {.meaning = "number, as shown, for whose two sides a sample tells the probability"});
+  d.value("limit", measure.limit, {.meaning = "limit, as shown: a sample gives the probability of values below and above it"});
 }
 
 void describe(Describe& d, StudyFigure& figure)

@@ -96,7 +96,7 @@ std::vector<TableColumn> columns_of(const TableLines& lines, const Words& fields
     const bool key = !column.key.empty() && column.key.find('=') == std::string::npos &&
                      std::string("0123456789+-.").find(column.key[0]) == std::string::npos;
     if (!key)
-      lines.refuse(fmt::format("{} is no key; the first line holds keys such as material.sand.friction_angle", input::in_quotes(field)));
+      lines.refuse(fmt::format("{} is not a key; the first line holds keys such as material.sand.friction_angle", input::in_quotes(field)));
     if (std::any_of(columns.begin(), columns.end(), [&](const TableColumn& other) { return other.key == column.key; }))
       lines.refuse(fmt::format("{} heads two columns", input::in_quotes(column.key)));
     columns.push_back(column);

@@ -132,7 +132,7 @@ jobs::Outcome find_bands(const simulation::RunRequest& request, int at_once)
   run_folder::Uncertainty found;
   const bool interrupted = batch.count(jobs::JobEnd::Kind::interrupted) > 0;
   if (interrupted) {
-    io::tell("berm: stopped: there is no band yet; berm run --resume {} --uncertainty goes on from there\n", request.folder.string());
+    io::tell("berm: stopped: there is no band yet; berm run --resume {} --uncertainty continues from there\n", request.folder.string());
     found.missing = "stopped before all runs that it is made of were done";
   } else if (const std::string failure = failure_of(batch); !failure.empty()) {
     io::tell("berm: there is no band: {}\n", failure);

@@ -132,7 +132,7 @@ void check_cells(const settings::Case& c, Real ratio)
                   : std::holds_alternative<mesh::BoxMesh>(c.mesh)         ? "mesh.cells"
                                                                           : "mesh.near_size",
                   ratio > 1 ? fmt::format("--uncertainty makes cells {:g} times as large at least", ratio)
-                            : "--uncertainty needs cells that see the body",
+                            : "--uncertainty needs cells that resolve the body",
                   across, width / (cells_across * ratio), cells_across));
 }
 

@@ -112,7 +112,7 @@ plot::Figure order_figure(const Expectation& e, const ExpectationResult& finding
 {
   plot::Figure figure;
   figure.title = fmt::format("{}: order {:.3g}", finding.label, finding.number);
-  figure.x_label = "size over the coarsest, halved each time";
+  figure.x_label = "size divided by the coarsest, halved each time";
   figure.y_label = fmt::format("|{} - limit|{}", finding.label, finding.unit.empty() ? "" : fmt::format(" ({})", finding.unit));
   figure.width = 800;
   figure.more = "set logscale xy\nset format y '%.0e'\n";

@@ -46,7 +46,7 @@ std::pair<fs::path, std::string> example_and_run(const std::string& name, const 
   if (!example.empty() && fs::exists(examples / example / expected_file)) return {examples / example, path.filename().string()};
   const std::vector<std::string> known = names_in(examples);
   const std::string near = input::nearest(example.empty() ? name : example, known);
-  throw InputError(fmt::format("{} is no example, and no problem EXAMPLE/RUN, of {}{} (examples: {})", input::in_quotes(name),
+  throw InputError(fmt::format("{} is not an example, and no problem EXAMPLE/RUN, of {}{} (examples: {})", input::in_quotes(name),
                                examples.string(), near.empty() ? "" : fmt::format("; did you mean {}?", input::in_quotes(near)),
                                input::listed(known)));
 }

@@ -50,7 +50,7 @@ std::vector<Promise> promises_of(const Example& example)
 
 std::string requirements_page(const std::vector<ExamplePage>& pages)
 {
-  std::string html = "<nav>" + link_to("index.html", "verification book") + "</nav>\n<h1>What is promised</h1>\n";
+  std::string html = "<nav>" + link_to("index.html", "verification book") + "</nav>\n<h1>Requirements</h1>\n";
   html += "<p>Requirements that users may rely on, their derivation, and the runs of this book that verify them, with their results. "
           "<code>berm verify --requirements</code> lists the requirements of all examples.</p>\n<table>\n";
   html += text::plain_row({"requirement", "derived", "", "proved by"}, 9, 9, "th");
@@ -65,7 +65,7 @@ std::string requirements_page(const std::vector<ExamplePage>& pages)
           "td");
     }
   }
-  return text::plain_page("berm: what is promised", html + "</table>\n");
+  return text::plain_page("berm: requirements", html + "</table>\n");
 }
 
 std::string requirements_text(const std::vector<ExamplePage>& pages)

@@ -94,7 +94,7 @@ std::vector<TrustQuestion> trust_questions(const std::vector<ExamplePage>& pages
 std::string words_of(const std::vector<TrustQuestion>& questions)
 {
   const auto count = [&](auto is) { return std::count_if(questions.begin(), questions.end(), is); };
-  return fmt::format("{} runs whose answer is known: of {} right ones {} are called bad, of {} wrong ones {} are called good",
+  return fmt::format("{} runs whose answer is known: of {} right ones {} are rated bad, of {} wrong ones {} are rated good",
                      questions.size(), count([](const TrustQuestion& q) { return q.is_right(); }),
                      count([](const TrustQuestion& q) { return q.is_right() && q.is_misjudged(); }),
                      count([](const TrustQuestion& q) { return q.is_wrong(); }),

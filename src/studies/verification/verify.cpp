@@ -129,7 +129,7 @@ jobs::Outcome verify(const VerifyRequest& request)
   if (unfinished > 0)
     io::tell("{}: {} of {} problems are done; the same command {}\n", queued ? "queued" : "interrupted",
              static_cast<std::ptrdiff_t>(results.size()) - unfinished, results.size(),
-             queued ? "collects the others" : "goes on from there");
+             queued ? "collects the others" : "continues from there");
   write_book(request.output, pages, questions);
   io::tell("the book is {}\n", (request.output / "index.html").string());
   if (request.quote) quote_results(pages);

@@ -12,7 +12,7 @@ struct VerifyRequest {
   std::filesystem::path output;  ///< folder of the book and of its runs
   jobs::Runner runner;
   bool anew = false;   ///< also what has its result already
-  bool quote = false;  ///< put the numbers of the runs into the pages that quote them
+  bool quote = false;  ///< update the numbers of the runs in the pages that quote them
 };
 
 /// Prints the problems that are wanted, with their titles and numbers of expectations. Throws InputError.

@@ -178,7 +178,7 @@ TEST_F(Export, says_what_it_takes_where_it_is_given_something_else)
     EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
     return ended.err;
   };
-  EXPECT_NE(refusal({"export", "nowhere"}).find("nowhere is no folder"), std::string::npos);
+  EXPECT_NE(refusal({"export", "nowhere"}).find("nowhere is not a folder"), std::string::npos);
   EXPECT_NE(refusal({"export", "."}).find("neither a run folder nor the output of berm study"), std::string::npos);
   EXPECT_NE(refusal({"export", ".", "--to", "excel"}).find("orcaflex"), std::string::npos) << "what is allowed";
 }

@@ -157,7 +157,7 @@ TEST_F(New, replaces_nothing)
   folder_.write("pipe-in-clay.toml", "mine");
   const Ended ended = berm({"new", "pipe-in-clay"});
   EXPECT_EQ(ended.status, 2);
-  EXPECT_NE(ended.err.find("pipe-in-clay.toml is there already"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("pipe-in-clay.toml already exists"), std::string::npos) << ended.err;
   EXPECT_EQ(folder_.read("pipe-in-clay.toml"), "mine");
 }
 

@@ -212,7 +212,7 @@ TEST_F(Report, tells_that_a_finished_run_lost_the_end_of_its_history)
 {
   cut("out/a/history.csv", 0.3);
   ASSERT_EQ(berm({"report", "out/a"}).status, 0);
-  EXPECT_NE(text("out/a/report.html").find("although the run finished: it was cut"), std::string::npos);
+  EXPECT_NE(text("out/a/report.html").find("although the run finished: it was truncated"), std::string::npos);
 }
 
 TEST_F(Report, says_why_a_run_was_stopped)

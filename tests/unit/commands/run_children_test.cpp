@@ -42,7 +42,7 @@ TEST_F(EndlessMesh, is_ended_by_the_first_signal_to_a_run)
   for (const int signal : {SIGTERM, SIGINT}) {
     const Ended ended = stopped({"run", "small.toml", "-o", "results"}, signal);
     EXPECT_EQ(ended.status, 75);
-    EXPECT_EQ(ended.err, "berm: stopped while gmsh was at work; the same command begins anew\n");
+    EXPECT_EQ(ended.err, "berm: stopped while gmsh was running; the same command starts again\n");
     EXPECT_FALSE(std::filesystem::exists(folder_ / "results/resolved.toml"));
   }
 }

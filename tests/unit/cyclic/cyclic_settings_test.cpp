@@ -67,9 +67,9 @@ TEST_F(CyclicSettings, read_contours_with_their_unit_and_find_that_of_failure)
 TEST_F(CyclicSettings, refuse_a_wrong_table_with_its_line)
 {
   EXPECT_EQ(fault_of_row("15,0,1,x"), "contours.csv:4: \"x\" in column \"cyclic_stress_ratio\" is not a finite number");
-  EXPECT_EQ(fault_of_row("3,0,100,0.3"), "contours.csv:4: the cycles of a contour are to rise from row to row");
-  EXPECT_EQ(fault_of_row("3,0,200,0.5"), "contours.csv:4: the stress of a contour rises with the number of cycles");
-  EXPECT_EQ(fault_of_row("15,0,1,1.2\n3,0,200,0.3"), "contours.csv:5: the rows of a contour at an average stress are to stand together");
+  EXPECT_EQ(fault_of_row("3,0,100,0.3"), "contours.csv:4: the cycles of a contour must ascend");
+  EXPECT_EQ(fault_of_row("3,0,200,0.5"), "contours.csv:4: the stress of a contour must not increase with the number of cycles");
+  EXPECT_EQ(fault_of_row("15,0,1,1.2\n3,0,200,0.3"), "contours.csv:5: the rows of a contour at an average stress must be consecutive");
   EXPECT_EQ(fault_of_row("3,0,0.5,0.9"), "contours.csv:4: cycles = 0.5 is less than 1");
   EXPECT_EQ(fault_of_row("3,7,1,0.9"), "contours.csv:4: average_stress_ratio = 7 is not from 0 to 2");
   EXPECT_EQ(fault_of_row("3,0.2,1,90"), "contours.csv:4: cyclic_stress_ratio = 90 is not from 0 to 5");

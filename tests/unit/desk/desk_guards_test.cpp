@@ -134,7 +134,7 @@ TEST_F(DeskGuards, refuses_and_writes_nothing)
       {400, "a kind that is an option", post("/api/new", R"({"kind":"--help","path":"new.toml"})")},
       {400, "a soil that is a command", post("/api/new", R"({"kind":"pipe-in-sand","soil":"; touch x","path":"new.toml"})")},
       {400, "a format that is a path", post("/api/export", R"({"runs":["bay"],"to":"../../x"})")},
-      {400, "a row that is no number", get("/api/run?path=bay&from_row=1e9")},
+      {400, "a row that is not a number", get("/api/run?path=bay&from_row=1e9")},
       {403, "out into another folder", post("/api/runs", R"({"case":"bay/case.toml","out":"../secret/run"})")},
       {403, "out to a whole path", post("/api/runs", R"({"case":"bay/case.toml","out":"/tmp/berm_desk_run"})")},
       {403, "out by a link", post("/api/runs", R"({"case":"bay/case.toml","out":"out_of_it/run"})")},

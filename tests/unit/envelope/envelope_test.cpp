@@ -186,7 +186,7 @@ TEST_F(EnvelopeCommand, goes_on_where_a_signal_stopped_it)
   const Ended stopped = program.wait();
   EXPECT_EQ(stopped.status, 75);
   EXPECT_NE(stopped.out.find("\nof the probes that are done: Vmax "), std::string::npos) << stopped.out;
-  EXPECT_NE(stopped.err.find("the same command goes on from there"), std::string::npos) << stopped.err;
+  EXPECT_NE(stopped.err.find("the same command continues from there"), std::string::npos) << stopped.err;
   EXPECT_NE(text_of_file(folder_ / "found/envelope.csv").find(",interrupted\n"), std::string::npos);
   EXPECT_EQ(run_program(folder_.path(), words).status, 0);
   EXPECT_EQ(text_of_file(folder_ / "found/envelope.csv").find(",interrupted\n"), std::string::npos);

@@ -205,7 +205,7 @@ TEST(Expectation, may_be_over_another_number_of_its_run)
   EXPECT_EQ(complaint(ratio), "");
   const Expectations all = read_expectations_text("expected.toml", ratio);
   EXPECT_EQ(runs_of(all.expect[0]), (std::vector<std::string>{"a", "a"}));
-  EXPECT_EQ(words_of(all.expect[0]), "H 1 over V");
+  EXPECT_EQ(words_of(all.expect[0]), "H 1 divided by V");
   EXPECT_EQ(observable_of(all.expect[0], 1).quantity, "V");
   EXPECT_EQ(number_of(all.expect[0], {3, 2}), 1.5);
   EXPECT_NE(complaint(one_run + "[[expect]]\nrun = \"a\"\ncolumn = \"w_m\"\nat = 1\nleast = 1\n" + words).find("only a quantity"),

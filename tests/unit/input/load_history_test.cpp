@@ -239,7 +239,7 @@ TEST_F(LoadHistory, jumps_where_the_same_time_stands_twice)
   const settings::StageSettings stage = read("0,0\n1,1\n1,-1\n2,-1\n");
   EXPECT_EQ(stage.load_times, (std::vector<Real>{0, 1, 1, 2}));
   EXPECT_EQ(load_factor(stage, 1), -1);
-  EXPECT_NE(refusal("0,0\n1,1\n1,2\n1,3\n").find("storm.csv:4: the time 1 s stands three times"), std::string::npos);
+  EXPECT_NE(refusal("0,0\n1,1\n1,2\n1,3\n").find("storm.csv:4: the time 1 s occurs three times"), std::string::npos);
 }
 
 TEST_F(LoadHistory, of_displacements_begins_at_0_and_does_not_jump)

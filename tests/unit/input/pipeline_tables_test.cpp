@@ -62,7 +62,7 @@ TEST_F(PipelineTables, that_are_wrong_are_refused_with_file_and_line)
   says(route_, "x_m\n0\n5\n", "1: names no column after the position along the line, such as x_m,y_m");
   says(route_, "x_m,z_m\n0,1\n5,2\n", "1: \"z_m\" is not a column of this route");
   says(route_, "x_s,y_m\n0,1\n5,2\n", "1: \"x_s\" has no unit of a length");
-  says(route_, "0,1\n5,2\n", "1: the first line is to name the columns: x_m,y_m");
+  says(route_, "0,1\n5,2\n", "1: the first line must name the columns: x_m,y_m");
   says(route_, "x_m,y_m\n0,1\n", " has one line of numbers: it needs two at least");
   says(curve_, "u_m,H_N_m\n0,0\n1,2\n", "2: the point 0, 0 of a curve is implied");
   says(curve_, "u_m,H_N_m\n1,2\n2,-1\n", "3: a resistance must be more than 0");

@@ -76,7 +76,7 @@ TEST(Symmetry, a_quarter_is_taken_that_moves_within_its_planes)
 
 TEST(Symmetry, what_its_planes_do_not_mirror_is_refused_with_what_to_change)
 {
-  EXPECT_SAYS(refusal_of({"symmetry=[\"y\"]"}), "symmetry: \"y\" is no axis with a plane of symmetry across it");
+  EXPECT_SAYS(refusal_of({"symmetry=[\"y\"]"}), "symmetry: \"y\" is not an axis with a plane of symmetry across it");
   EXPECT_SAYS(refusal_of({"symmetry=[\"z\", \"z\"]"}), "symmetry: names \"z\" twice");
   EXPECT_SAYS(refusal_of({"gravity=[0, -9, 1]"}), "gravity: is inclined to the plane of symmetry: its z must be 0");
   EXPECT_SAYS(refusal_of({"mesh.slope=0.1"}), "mesh: a bed with a slope, a trench or a step is not its own mirror image across x");

@@ -94,7 +94,7 @@ TEST_F(MotionFile, that_is_wrong_is_refused_with_its_line)
   EXPECT_SAYS(refusal("time_s,x_m\n0,0\n1,0\n"),
               "quake.csv:1: \"x_m\" has no unit of a velocity, such as \"0.1 m/s\" or \"20 mm/s\": write \"x_m_s\"");
   EXPECT_SAYS(refusal("time_s,z_m_s\n0,0\n1,0\n"), "\"z_m_s\" is not a column of this motion");
-  EXPECT_SAYS(refusal("0,0\n1,0\n"), "the first line is to name the columns: time_s,x_m_s,y_m_s");
+  EXPECT_SAYS(refusal("0,0\n1,0\n"), "the first line must name the columns: time_s,x_m_s,y_m_s");
   EXPECT_SAYS(refusal("time_s,x_m_s\n0.1,0\n1,0\n"), "quake.csv:2: begins at 0.1 s");
   EXPECT_SAYS(refusal("time_s,x_m_s\n0,0\n1,0\n1,1\n"), "quake.csv:4: times must ascend");
   EXPECT_SAYS(refusal("time_s,x_m_s\n0,0\n"), "has one line of numbers");

@@ -69,7 +69,7 @@ TEST_F(Runners, are_not_mixed_while_runs_are_queued)
   ASSERT_EQ(study({"--no-wait", "--runner", "cp {jobs} later"}).status, 75);
   const berm::Ended local = study();
   EXPECT_EQ(local.status, 1);
-  EXPECT_NE(local.err.find("queue says that the runs were handed over (command)"), std::string::npos) << local.err;
+  EXPECT_NE(local.err.find("queue says that the runs were submitted (command)"), std::string::npos) << local.err;
   write_study(falls_with("-2.5"));
   const berm::Ended other = study({"--no-wait", "--runner", "cp {jobs} later"});
   EXPECT_EQ(other.status, 1);
@@ -89,7 +89,8 @@ TEST_F(Runners, that_are_stopped_leave_checkpoints_and_go_on_to_the_same_bytes)
     program.signal(SIGTERM);
     const berm::Ended stopped = program.wait();
     EXPECT_EQ(stopped.status, 75) << stopped.err;
-    EXPECT_NE(stopped.err.find("interrupted: 0 of 1 runs are done; the same command goes on from there"), std::string::npos) << stopped.err;
+    EXPECT_NE(stopped.err.find("interrupted: 0 of 1 runs are done; the same command continues from there"), std::string::npos)
+        << stopped.err;
   }
   EXPECT_EQ(result("runs/sand.status"), "75\n");
   const berm::Ended ended = run_program(folder_.path(), words);

@@ -240,7 +240,7 @@ TEST_F(Library, refuses_laws_that_nothing_asks_for_and_tells_of_those_that_fail)
   int calls = 0;
   options.laws["sand"] = [&](berm_law_increment* increment) { return calls > 20000 ? int(berm_law_failed) : elastic(increment, &calls); };
   OneRun run(path("own.toml"), options);
-  EXPECT_NE(test::error_of<RunError>([&] { run.finish(); }).find("says that it failed"), std::string::npos);
+  EXPECT_NE(test::error_of<RunError>([&] { run.finish(); }).find("reports failure"), std::string::npos);
   EXPECT_TRUE(run.ended());
   EXPECT_FALSE(run.finished());
 }

@@ -188,7 +188,7 @@ TEST(MacroElement, is_a_pure_function_so_that_trial_steps_leave_nothing)
   }
 }
 
-/// The normal force around the contact over V, as berm's formulas have it.
+/// The normal force around the contact divided by V, as berm's formulas have it.
 Real wedging(Real w_over_D)
 {
   const Real b = std::acos(1 - 2 * std::min(w_over_D, 0.5));
@@ -281,7 +281,7 @@ TEST(MacroElement, refuses_what_makes_no_sense_and_leaves_the_state)
     EXPECT_EQ(state.u, 0);
     EXPECT_EQ(state.V, 2000);
   }
-  EXPECT_STREQ(berm_macro_element_error(BERM_MACRO_ELEMENT_INPUT), "a displacement or force is no number or too large");
+  EXPECT_STREQ(berm_macro_element_error(BERM_MACRO_ELEMENT_INPUT), "a displacement or force is not a number or too large");
 }
 
 }  // namespace

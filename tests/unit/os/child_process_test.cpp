@@ -104,7 +104,7 @@ TEST(ChildProcess, is_ended_at_the_first_signal_where_nothing_can_be_kept)
     try {
       wait_unless_interrupted(child, "a program");
     } catch (const Interrupted& why) {
-      ::_exit(std::string(why.what()) == "stopped while a program was at work" ? 7 : 8);
+      ::_exit(std::string(why.what()) == "stopped while a program was running" ? 7 : 8);
     }
   });
   const pid_t child = process_in(folder / "child");

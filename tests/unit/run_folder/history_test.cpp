@@ -95,7 +95,7 @@ TEST(History, a_line_that_is_wrong_is_named)
   EXPECT_NE(message("time_s,stage,a\n0,push,1x\n").find("line 2: \"1x\" is not a number"), std::string::npos);
   EXPECT_NE(message("time_s,a\n0,1\n").find("no column stage"), std::string::npos);
   EXPECT_NE(message("time_s,stage,a\n0,push,\"\x1b[2J\n" + std::string(100, 'x') + "\"\n").find("line 2: \"?[2J?xxxx"), std::string::npos);
-  EXPECT_NE(message("time_s,stage,\"a\x1b[2J\"\n").find("line 1: \"a?[2J\" is no name"), std::string::npos);
+  EXPECT_NE(message("time_s,stage,\"a\x1b[2J\"\n").find("line 1: \"a?[2J\" is not a name"), std::string::npos);
   EXPECT_NE(message("time_s,sta").find("no header"), std::string::npos);
 }
 

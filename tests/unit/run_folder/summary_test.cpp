@@ -95,7 +95,7 @@ TEST(TimingNames, are_those_of_the_summary)
     const auto json = nlohmann::json::parse(summary.json());
     for (const auto& [name, value] : json["timing"].items()) EXPECT_TRUE(name == "loops" || is_check_or_timing(name)) << name;
   }
-  EXPECT_FALSE(is_check_or_timing("loops")) << "is no number";
+  EXPECT_FALSE(is_check_or_timing("loops")) << "is not a number";
 }
 
 TEST(Summary, of_finite_elements_counts_nodes_and_iterations_and_no_particles)
@@ -170,29 +170,29 @@ std::string refusal_of(const std::string& text)
 TEST(Summary, that_is_damaged_is_refused_with_the_reason)
 {
   EXPECT_EQ(refusal_of(""), " is damaged: byte 1 is not JSON");
-  EXPECT_EQ(refusal_of("[]"), " is damaged: it is no table");
+  EXPECT_EQ(refusal_of("[]"), " is damaged: it is not a table");
   EXPECT_EQ(refusal_of("{}"), " is damaged: it has no \"quantities\"");
   const std::string rest = R"(, "timing": {}, "checks": {}, "text": {}})";
   EXPECT_EQ(refusal_of(R"({"quantities": {})" + rest), "");
-  EXPECT_EQ(refusal_of(R"({"quantities": 5)" + rest), " is damaged: \"quantities\" is no table");
-  EXPECT_EQ(refusal_of(R"({"quantities": {"V": 5})" + rest), " is damaged: a value in \"quantities\" is no table");
+  EXPECT_EQ(refusal_of(R"({"quantities": 5)" + rest), " is damaged: \"quantities\" is not a table");
+  EXPECT_EQ(refusal_of(R"({"quantities": {"V": 5})" + rest), " is damaged: a value in \"quantities\" is not a table");
   EXPECT_EQ(refusal_of(R"({"quantities": {"V": {"unit": "N"}})" + rest), " is damaged: it has no \"value\"");
   EXPECT_EQ(refusal_of(R"({"quantities": {"V": {"value": "5", "unit": "N"}})" + rest),
-            " is damaged: a value in \"quantities\" is no number");
-  EXPECT_EQ(refusal_of(R"({"quantities": {"V": {"value": 5, "unit": 1}})" + rest), " is damaged: a value in \"quantities\" is no text");
+            " is damaged: a value in \"quantities\" is not a number");
+  EXPECT_EQ(refusal_of(R"({"quantities": {"V": {"value": 5, "unit": 1}})" + rest), " is damaged: a value in \"quantities\" is not a text");
   EXPECT_EQ(refusal_of(R"({"quantities": {"V": {"value": 1e999, "unit": "N"}})" + rest), " is damaged: a number in it is too large");
   EXPECT_EQ(refusal_of(R"({"quantities": {}, "timing": {"wall_s": []}, "checks": {}, "text": {}})"),
-            " is damaged: a value in \"timing\" is no number");
+            " is damaged: a value in \"timing\" is not a number");
   EXPECT_EQ(refusal_of(R"({"quantities": {}, "timing": {}, "checks": {"finished": "true"}, "text": {}})"),
-            " is damaged: a value in \"checks\" is no number");
+            " is damaged: a value in \"checks\" is not a number");
   EXPECT_EQ(refusal_of(R"({"quantities": {}, "timing": {}, "checks": {}, "text": {"title": null}})"),
-            " is damaged: a value in \"text\" is no text");
+            " is damaged: a value in \"text\" is not a text");
   // Its texts go into decks of other programs.
   for (const char* text : {R"("date": "2026\n/SYS,touch x")", R"("\u001b[2J": "")", R"("case": "a\u0085b")"})
     EXPECT_EQ(refusal_of(fmt::format(R"({{"quantities": {{}}, "timing": {{}}, "checks": {{}}, "text": {{{}}}}})", text)),
               " is damaged: a text in it holds a control character");
   EXPECT_EQ(refusal_of(std::string(5'000'000, '[')), " is damaged: byte 5000001 is not JSON");
-  EXPECT_EQ(refusal_of(std::string(4'000'000, '[') + std::string(4'000'000, ']')), " is damaged: it is no table");
+  EXPECT_EQ(refusal_of(std::string(4'000'000, '[') + std::string(4'000'000, ']')), " is damaged: it is not a table");
   EXPECT_EQ(refusal_of(std::string(10'000'001, ' ')), ": is longer than 10000000 bytes, the maximum");
 }
 

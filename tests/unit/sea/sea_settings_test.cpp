@@ -68,7 +68,7 @@ TEST_F(SeaSettings, say_what_is_wrong_with_a_spectrum)
     return fault(all);
   };
   EXPECT_NE(fault_of("0,1\n0.1,2\n").find("spectrum.csv:2"), std::string::npos) << fault_of("0,1\n0.1,2\n");
-  EXPECT_NE(fault_of("0.1,1\n0.1,2\n").find("rise from row to row"), std::string::npos);
+  EXPECT_NE(fault_of("0.1,1\n0.1,2\n").find("frequencies must ascend"), std::string::npos);
   EXPECT_NE(fault_of("0.1,1\n0.2,-2\n").find("is negative"), std::string::npos);
   EXPECT_NE(fault_of("0.1,0\n0.2,0\n").find("every density is 0"), std::string::npos);
 }

@@ -226,7 +226,7 @@ TEST(Jumps, of_three_values_are_refused_and_of_finite_elements_all)
   settings::StageSettings stage = drag(0.2);
   stage.load_times = {0, 1, 1, 1};
   stage.load_factors = {0, 1, 2, 3};
-  EXPECT_EQ(fault_of(stage).find("load_times: the time 1 s stands three times: twice is a jump"), 0u) << fault_of(stage);
+  EXPECT_EQ(fault_of(stage).find("load_times: the time 1 s occurs three times: twice is a jump"), 0u) << fault_of(stage);
   stage.load_times = {0, 1, 1, 0.5};
   EXPECT_EQ(fault_of(stage), "load_times: times must ascend");
   stage.load_times = {0, 1, 1, 2};

@@ -82,7 +82,7 @@ TEST(Water, that_makes_no_sense_is_refused_with_the_key)
   EXPECT_EQ(fault([](Stage&, Case&) {}), "");
   EXPECT_TRUE(fault([](Stage& s, Case&) { s.water.reset(); }).starts_with("loads.water: needs [stage.water]"));
   EXPECT_TRUE(fault([](Stage& s, Case&) { s.loads.of("water").clear(), s.loads.of("H") = {0, 1}; }).starts_with("water: is for a load"));
-  EXPECT_TRUE(fault([](Stage& s, Case&) { s.time_scale = 0.3; }).starts_with("time_scale: is 1 with [stage.water]"));
+  EXPECT_TRUE(fault([](Stage& s, Case&) { s.time_scale = 0.3; }).starts_with("time_scale: must be 1 with [stage.water]"));
   EXPECT_TRUE(fault([](Stage& s, Case&) { s.loads.of("V") = {0, 1}; }).starts_with("loads.V: cannot be combined with water"));
   EXPECT_TRUE(fault([](Stage& s, Case&) { s.vertical_force = 3; }).starts_with("loads.water: drives what another key"));
   EXPECT_TRUE(fault([](Stage& s, Case&) { s.water->trench_depth = 1; }).starts_with("water.trench_angle: of a trench"));

@@ -140,9 +140,10 @@ TEST_F(Soundings, that_are_wrong_are_refused_with_line_column_and_unit)
   const struct {
     const char *name, *text, *said;
   } wrong[] = {
-      {"a.csv", "depth_m,q_c_s\n0,1\n1,2\n", "a.csv:1: column \"q_c_s\": \"s\" is no unit of the cone resistance q_c, which is a pressure"},
+      {"a.csv", "depth_m,q_c_s\n0,1\n1,2\n",
+       "a.csv:1: column \"q_c_s\": \"s\" is not a unit of the cone resistance q_c, which is a pressure"},
       {"a.csv", "depth,q_c_MPa\n0,1\n1,2\n", "a.csv:1: column \"depth\" gives no unit of the depth"},
-      {"a.csv", "depth_m,q_c_MPa\n0,1\n1,x\n", "a.csv:3: column \"q_c_MPa\": \"x\" is no number"},
+      {"a.csv", "depth_m,q_c_MPa\n0,1\n1,x\n", "a.csv:3: column \"q_c_MPa\": \"x\" is not a number"},
       {"a.csv", "depth_m,q_c_MPa\n0,1\n1\n", "a.csv:3: has 1 values, and 2 columns were named"},
       {"a.csv", "depth_m,q_c_MPa\n1,1\n1,2\n",
        "a.csv: 1 of 2 rows, 1.00 to 1.00 m; left out: 1 not deeper than the row before, and two are needed"},
@@ -153,9 +154,9 @@ TEST_F(Soundings, that_are_wrong_are_refused_with_line_column_and_unit)
       {"a.csv", "depth_m,f_s_MPa\n1,1\n2,1\n", "a.csv: has no column of the cone resistance"},
       {"a.csv", "depth_m,q_c_MPa,qc_kPa\n1,1,1\n2,1,1\n",
        "a.csv:1: column \"qc_kPa\" is the cone resistance q_c, as column \"q_c_MPa\" is"},
-      {"a.csv", "# area_ratio = 80 %\ndepth_m,q_c_MPa\n1,1\n2,1\n", "a.csv:1: area_ratio: \"80 %\" is no number"},
+      {"a.csv", "# area_ratio = 80 %\ndepth_m,q_c_MPa\n1,1\n2,1\n", "a.csv:1: area_ratio: \"80 %\" is not a number"},
       {"a.csv", "# area_ratio = 80\ndepth_m,q_c_MPa\n1,1\n2,1\n", "a.csv:1: area_ratio: the area ratio of a cone is above 0 and at most 1"},
-      {"a.csv", "# area_ratio = 0.8\n# area_ratio = 0.7\ndepth_m,q_c_MPa\n", "a.csv:2: area_ratio stands in the file twice"},
+      {"a.csv", "# area_ratio = 0.8\n# area_ratio = 0.7\ndepth_m,q_c_MPa\n", "a.csv:2: area_ratio occurs twice in the file"},
       {"a.gef", "#MEASUREMENTVAR= 3, 15, cm2, area\n#EOH=\n1 1\n", "a.gef:1: #MEASUREMENTVAR 3: the area ratio of a cone is above 0"},
       {"a.ags", "\"DATA\",\"x\"\n", "a.ags:1: begins with \"DATA\""},
       {"a.ags", "\"GROUP\",\"LOCA\"\n\"HEADING\",\"LOCA_ID\"\n\"DATA\",\"a\",\"b\"\n", "a.ags:3: has 2 values, and the group 1 headings"},

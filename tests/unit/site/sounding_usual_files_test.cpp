@@ -164,7 +164,7 @@ std::vector<File> files_of_gef()
       {"without the area ratio", "a.gef", no_area + "#EOH=\n" + data, rows, measured, "the area ratio of the cone"},
       {"with an area ratio in percent", "a.gef", changed(plain, "3, 0.75", "3, 75"), 0, 0,
        "the area ratio of a cone is above 0 and at most 1"},
-      {"with a column twice", "a.gef", with("#COLUMNINFO= 2, kPa, tip, 2\n"), 0, 0, "#COLUMNINFO of column 2 stands in the file twice"},
+      {"with a column twice", "a.gef", with("#COLUMNINFO= 2, kPa, tip, 2\n"), 0, 0, "#COLUMNINFO of column 2 occurs twice in the file"},
       {"with u_2 void everywhere", "a.gef",
        gef_head + "#EOH=\n" + lines([](int n) { return fmt::format("{:.2f} {} 0.0020 -1", depth(n), q_c(n)); }), rows, measured,
        "column \"pressure\", the pore pressure u_2, is empty"},

@@ -88,7 +88,8 @@ TEST(WhatTestsDoNotTell, is_said)
   test.curves.pop_back();  // without the volume nothing tells the dilation
   const std::vector<std::string> what = doubts(fit_soil(c, {test}));
   ASSERT_FALSE(what.empty());
-  EXPECT_EQ(what.front(), "dilation_angle is not told by these tests: keep it at a value that is known, and leave it out of [[free]]");
+  EXPECT_EQ(what.front(),
+            "dilation_angle is not determined by these tests: keep it at a value that is known, and leave it out of [[free]]");
 }
 
 TEST(WhatTestsDoNotTell, is_said_of_keys_that_do_the_same)
@@ -99,7 +100,9 @@ TEST(WhatTestsDoNotTell, is_said_of_keys_that_do_the_same)
   law.free = free.c_str(), law.keys = keys.c_str();
   law.truth["cohesion"] = 10e3;
   const FitCase c = fit_of(law);
-  const auto about_both = [](const std::string& doubt) { return doubt.starts_with("friction_angle and cohesion are told together alone"); };
+  const auto about_both = [](const std::string& doubt) {
+    return doubt.starts_with("only a combination of friction_angle and cohesion is determined");
+  };
   const auto doubts_of = [&](const std::vector<Real>& stresses) {
     std::mt19937_64 random(3);
     std::vector<MeasuredTest> tests;

@@ -92,13 +92,14 @@ TEST_F(MeasuredTests, that_are_wrong_get_one_message)
             "tests.csv:2: p in the column \"p_kPa\" is -1e+05 Pa: stresses are effective, and compression is positive");
   EXPECT_EQ(fault("axial_strain_percent,q_Pa,p_kPa\n0,0,100\n10,50,150\n"),
             "tests.csv:3: q in the column \"q_Pa\" is 50 Pa at most, which is not a stress of a test of soil: is its unit right?");
-  EXPECT_EQ(fault("axial_strain_percent,dev_kPa,p_kPa\n0,0,100\n10,150,150\n"),
-            "tests.csv: no column is q (vertical less lateral stress), or stress_ratio (vertical over lateral effective stress): name it, "
-            "measured.lab.columns = {q = \"HEADING (UNIT)\"}; its headings are axial_strain_percent, dev_kPa, p_kPa");
+  EXPECT_EQ(
+      fault("axial_strain_percent,dev_kPa,p_kPa\n0,0,100\n10,150,150\n"),
+      "tests.csv: no column is q (vertical less lateral stress), or stress_ratio (vertical divided by lateral effective stress): name it, "
+      "measured.lab.columns = {q = \"HEADING (UNIT)\"}; its headings are axial_strain_percent, dev_kPa, p_kPa");
   EXPECT_EQ(fault("axial_strain_percent,q_kPa\n0,0\n10,150\n"),
             "tests.csv:2: the stress at the start is not known: give confining_stress, or vertical_stress and k0, of measured.lab");
   EXPECT_EQ(fault("axial_strain_percent,q_kPa,p_kPa\n0,0,100\n10,many,150\n"),
-            "tests.csv:3: \"many\" in the column \"q_kPa\" is no number");
+            "tests.csv:3: \"many\" in the column \"q_kPa\" is not a number");
   EXPECT_EQ(fault("axial_strain_percent,q_kPa,p_kPa,volumetric_strain_percent,void_ratio\n0,0,100,0,0.7\n10,150,150,2,0.75\n"),
             "tests.csv:3: volumetric_strain in the column \"volumetric_strain_percent\" and void_ratio in the column \"void_ratio\" have "
             "opposite "

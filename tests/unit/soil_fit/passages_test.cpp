@@ -134,9 +134,9 @@ TEST_F(PenetrometerTests, that_cannot_be_are_refused)
   EXPECT_EQ(fault(good, "", "depth,resistance (kPa)\n"),
             "tests.csv: the column \"depth\" has no unit: measured.site.columns = {depth = \"depth (m)\"}");
   EXPECT_EQ(fault(good, "", "depth (km),resistance (kPa)\n").rfind("tests.csv:", 0), 0u);
-  EXPECT_NE(fault(good, "", "depth (km),resistance (kPa)\n").find("which no such test reaches below the seabed: is its unit right?"),
+  EXPECT_NE(fault(good, "", "depth (km),resistance (kPa)\n").find("deeper below the seabed than any such test: is its unit right?"),
             std::string::npos);
-  EXPECT_NE(fault(good, "", "depth (kPa),resistance (kPa)\n").find("\"kPa\" is no unit of it: m, cm or mm"), std::string::npos);
+  EXPECT_NE(fault(good, "", "depth (kPa),resistance (kPa)\n").find("\"kPa\" is not a unit of it: m, cm or mm"), std::string::npos);
   EXPECT_NE(fault(good, "", "depth (m),resistance (GPa)\n").find("is not the resistance of clay: is its unit right?"), std::string::npos);
   EXPECT_NE(fault(good, "", "depth (m),tip (kPa)\n").find("no column is resistance (resistance of the tool, down positive), or force"),
             std::string::npos);

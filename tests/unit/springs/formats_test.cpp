@@ -176,7 +176,7 @@ TEST(Formats, never_have_a_stiffness_that_is_negative_or_none_and_say_why)
       EXPECT_FALSE(std::regex_search(one.text, std::regex("(^|[^a-z])-?nan([^a-z]|$)"))) << format.name << ": " << one.name;
     }
   for (const ExportFiles& files : {table_files(design), json_files(design), sima_files(design), moordyn_files(design)}) {
-    EXPECT_NE(files[0].text.find("stiffness of V over w in stage unload is not written: V fell from 1860 to 1000 N/m"), std::string::npos)
+    EXPECT_NE(files[0].text.find("stiffness dV/dw in stage unload is not written: V fell from 1860 to 1000 N/m"), std::string::npos)
         << files[0].text;
     EXPECT_NE(files[0].text.find("stage pause is not written: w does not follow V in it"), std::string::npos) << files[0].text;
   }
@@ -303,7 +303,7 @@ TEST(Formats, of_sima_have_an_undrained_axial_friction_over_the_V_of_the_travel_
   s.lateral[0].V = 1200;
   const std::string text = sima_files(made_design(s))[1].text;
   EXPECT_NE(text.find(fmt::format("{:.6g} {:.6g} 0\n", 240 / 0.005 / 1000, 240. / 1200)), std::string::npos) << text;
-  EXPECT_NE(text.find("' FRIAXI: over V of the travel\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("' FRIAXI: divided by V of the travel\n"), std::string::npos) << text;
 }
 
 TEST(Formats, say_what_is_missing)

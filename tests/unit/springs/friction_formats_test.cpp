@@ -80,7 +80,8 @@ TEST(BuckPyFormat, is_a_row_of_the_sheet_for_each_travel_with_friction_at_breako
   expect_estimates(rows[0], "Axial", design.low->axial.undrained / 1000, 0.24, design.high->axial.undrained / 1000);
   for (const char* column : {"LE", "BE", "HE", "Fit Bounds"}) EXPECT_EQ(rows[0].at(std::string("Lateral Hydrotest ") + column), "");
   const std::string& description = rows[0].at("Soil Description");
-  for (const char* words : {"run b1", "state operation", "travel sweep_1", "by White and Randolph 2007", "H at breakout over V = 1000 N/m"})
+  for (const char* words :
+       {"run b1", "state operation", "travel sweep_1", "by White and Randolph 2007", "H at breakout divided by V = 1000 N/m"})
     EXPECT_NE(description.find(words), std::string::npos) << words << " in " << description;
 }
 
@@ -182,10 +183,10 @@ TEST(MoorDynFormat, says_which_H_stands_for_a_residual_that_is_not_known)
   s.lateral[0].residual = nan;
   s.lateral[0].largest = 900, s.lateral[0].u_largest = 0.5;
   const std::string text = moordyn_files(made_design(s))[1].text;
-  EXPECT_NE(text.find("H at breakout over V: it has no residual"), std::string::npos) << text;
-  EXPECT_NE(text.find("largest H over V: it has no residual"), std::string::npos) << text;
+  EXPECT_NE(text.find("H at breakout divided by V: it has no residual"), std::string::npos) << text;
+  EXPECT_NE(text.find("largest H divided by V: it has no residual"), std::string::npos) << text;
   const std::string origin = origin_of(s, s.lateral[0]);
-  EXPECT_NE(origin.find("largest H 900 N/m at u = 0.5 m, behind its first peak"), std::string::npos) << origin;
+  EXPECT_NE(origin.find("largest H 900 N/m at u = 0.5 m, after its first peak"), std::string::npos) << origin;
 }
 
 }  // namespace

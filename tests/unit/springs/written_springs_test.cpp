@@ -141,9 +141,9 @@ TEST(WrittenSprings, have_no_stiffness_of_a_slope_that_is_none_and_say_why)
   const std::vector<std::string> lines = refused_stiffnesses(s);
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[0],
-            "stiffness of V over w in stage unload is not written: V fell from 1860 to 1000 N/m while the pipe sank, so that the slope is "
+            "stiffness dV/dw in stage unload is not written: V fell from 1860 to 1000 N/m while the pipe sank, so that the slope is "
             "negative and no stiffness");
-  EXPECT_EQ(lines[1], "stiffness of V over w in stage pause is not written: w does not follow V in it");
+  EXPECT_EQ(lines[1], "stiffness dV/dw in stage pause is not written: w does not follow V in it");
 }
 
 TEST(WrittenSprings, have_comments_that_no_name_can_end_and_no_program_cuts)

@@ -35,7 +35,7 @@ TEST(Cpt, gives_clay_a_profile_of_its_undrained_strength)
   EXPECT_NE(text.find("From made.csv: 2 of 2 rows, 0.05 to 0.15 m"), std::string::npos);
   EXPECT_NE(text.find("N_kt = 14"), std::string::npos);
   EXPECT_EQ(text.find("undrained_strength_gradient"), std::string::npos);
-  EXPECT_NE(text.find("# Undrained: s_u by the sounding, G = 100 s_u."), std::string::npos) << "and not the strength of the template";
+  EXPECT_NE(text.find("# Undrained: s_u from the sounding, G = 100 s_u."), std::string::npos) << "and not the strength of the template";
   EXPECT_EQ(text.find("s_u = 2 kPa"), std::string::npos);
   ASSERT_EQ(written.doubts.size(), 1u);
   EXPECT_NE(text.find("# Warning: the sounding ends at 0.15 m with 2 readings, and the bed is 3 m deep"), std::string::npos) << text;
@@ -49,7 +49,7 @@ TEST(Cpt, gives_sand_layers_with_an_angle_of_friction_each)
   // 17.6 + 11 log10(1 / sqrt(0.0045)) = 30.5 and 29.8 deg, mean 30.2; then 42.9 and 42.1.
   EXPECT_NE(text.find("friction_angle = \"30.2 deg\""), std::string::npos) << text;
   EXPECT_NE(text.find("[material.sand_2]"), std::string::npos);
-  EXPECT_NE(text.find("# Drained: phi and psi by the sounding; inertia"), std::string::npos);
+  EXPECT_NE(text.find("# Drained: phi and psi from the sounding; inertia"), std::string::npos);
   EXPECT_EQ(text.find("33 deg,"), std::string::npos);
   // psi = (phi - 33 deg) / 0.8: none of 30.2 deg, 11.9 of 42.5.
   EXPECT_NE(text.find("friction_angle = \"30.2 deg\"\ndilation_angle = \"0.0 deg\"\n"), std::string::npos);

@@ -283,7 +283,7 @@ TEST_F(StudyCommand, refuses_wrong_input_at_its_line_and_runs_nothing)
     std::string replaced, by, says;
   };
   for (const Wrong& wrong : std::vector<Wrong>{
-           {"gravity = \"moon\"", "gravty = \"moon\"", "study.toml:18: skip.gravty: is no axis; did you mean \"gravity\"?"},
+           {"gravity = \"moon\"", "gravty = \"moon\"", "study.toml:18: skip.gravty: is not an axis; did you mean \"gravity\"?"},
            {"gravity = \"moon\"", "gravity = \"mon\"", "study.toml:18: skip.gravity: \"mon\" is none of its names; did you mean \"moon\"?"},
            {"case = \"low\"\ngravity = \"moon\"\n", "", "study.toml:16: skip: names no axis"},
            {"cases = [\"low\"]", "cases = [\"lwo\"]", "study.toml:29: measure.done.cases: there is no such case; did you mean \"low\"?"},

@@ -78,14 +78,14 @@ TEST_F(Table, that_is_wrong_is_refused_with_file_and_line)
   EXPECT_EQ(message("a.b,a.c\n1,2\n\n3,4,5\n"), "t.csv:4: 3 fields for 2 columns");
   EXPECT_EQ(message("a.b,a.c\n1,\n"), "t.csv:2: a.c is empty");
   EXPECT_EQ(message("a.b,a.b\n1,2\n"), "t.csv:1: \"a.b\" heads two columns");
-  EXPECT_EQ(message("1,2\n3,4\n"), "t.csv:1: \"1\" is no key; the first line holds keys such as material.sand.friction_angle");
-  EXPECT_EQ(message("a,\n3,4\n"), "t.csv:1: \"\" is no key; the first line holds keys such as material.sand.friction_angle");
+  EXPECT_EQ(message("1,2\n3,4\n"), "t.csv:1: \"1\" is not a key; the first line holds keys such as material.sand.friction_angle");
+  EXPECT_EQ(message("a,\n3,4\n"), "t.csv:1: \"\" is not a key; the first line holds keys such as material.sand.friction_angle");
   EXPECT_EQ(message("name\nsoft\n"), "t.csv:1: has no column but `name`");
   EXPECT_EQ(message("name,a\nso ft,1\nso/ft,2\n"), "t.csv:3: \"so/ft\" is the name, or as a file the name, of a row before it");
   EXPECT_EQ(message("a.b\n1\n\"2\n3\n"), "t.csv:3: a quote is not closed");
   EXPECT_EQ(message(std::string("a.b\n1\0\n", 7)), "t.csv: holds a NUL byte: this is not a text file; save it as text in UTF-8");
   EXPECT_THROW(read_table(folder_ / "other.csv", "soil"), InputError);
-  EXPECT_THROW(read_table(folder_.path(), "soil"), InputError) << "a folder is no table";
+  EXPECT_THROW(read_table(folder_.path(), "soil"), InputError) << "a folder is not a table";
 }
 
 }  // namespace

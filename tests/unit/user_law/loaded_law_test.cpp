@@ -126,7 +126,7 @@ TEST(LoadedLaw, may_say_that_it_failed)
   UserIncrement increment;
   increment.state[0] = 0;
   law.advance(increment);
-  EXPECT_NE(law.failure().find("says that it failed"), std::string::npos);
+  EXPECT_NE(law.failure().find("reports failure"), std::string::npos);
 }
 
 }  // namespace

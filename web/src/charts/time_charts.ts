@@ -47,7 +47,7 @@ export function quiet_plans(runs: RunData[]): Plan[] {
   const positive = (values: Numbers | null) => values?.map((value) => (value !== null && value > 0 ? value : null)) ?? null;
   return [
     plan({
-      id: "kinetic_over_internal", title: "Kinetic over internal energy", argument: time, value: ratio("kinetic/internal energy", ""), logarithmic: true,
+      id: "kinetic_over_internal", title: "Kinetic / internal energy", argument: time, value: ratio("kinetic/internal energy", ""), logarithmic: true,
       traces: run_traces(runs, (run) => {
         const kinetic = column(run, "kinetic"), internal = column(run, "internal");
         const columns = `${column_of_label(run, "kinetic")}/${column_of_label(run, "internal")}`;
@@ -55,7 +55,7 @@ export function quiet_plans(runs: RunData[]): Plan[] {
       }),
     }),
     plan({
-      id: "out_of_balance", title: "Force out of balance over weight", argument: time, value: ratio("out of balance/weight", ""), logarithmic: true,
+      id: "out_of_balance", title: "Out-of-balance force / weight", argument: time, value: ratio("out of balance/weight", ""), logarithmic: true,
       traces: run_traces(runs, (run) => over(run, "time_s", positive(column(run, "out of balance")), "out_of_balance")),
     }),
   ];
@@ -101,7 +101,7 @@ export function column_names(runs: RunData[]): string[] {
 /** Any column over any other. */
 export function free_plan(runs: RunData[], argument: string, value: string): Plan {
   return plan({
-    id: "any", title: `${value} over ${argument}`, argument: quantity_of_column(runs, argument), value: quantity_of_column(runs, value), in_plane: argument !== "time_s",
+    id: "any", title: `${value} against ${argument}`, argument: quantity_of_column(runs, argument), value: quantity_of_column(runs, value), in_plane: argument !== "time_s",
     traces: run_traces(runs, (run) => over(run, argument, run.columns[value] ?? null, value)),
   });
 }

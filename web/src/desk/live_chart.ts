@@ -33,7 +33,7 @@ export class LiveChart {
   /** `curves`: that stand behind one another with gaps between, each in its colour. `downwards`: y grows towards the foot of the chart, as depths do. */
   constructor(readonly x: Column, readonly y: Column, private readonly downwards = false, private readonly curves = 1) {
     this.element.setAttribute("role", "img");
-    this.element.setAttribute("aria-label", `${y.label} over ${x.label}`);
+    this.element.setAttribute("aria-label", `${y.label} against ${x.label}`);
     this.watch.observe(this.element);
     document.addEventListener("theme", this.again);
   }

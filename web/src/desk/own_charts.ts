@@ -10,7 +10,7 @@ const shown_otherwise = ["V_w", "H_u", "w_u", "V_u", "H_over_V_u", "H_travel", "
 const is_depth = ({ symbol }: Axis) => symbol === "z";
 
 const column = ({ symbol, unit, meaning }: Axis): Column => ({ name: symbol, label: symbol, unit, meaning });
-const head = ({ x, y }: Chart) => `${y.meaning} ${y.symbol} over ${x.meaning} ${x.symbol}`;
+const head = ({ x, y }: Chart) => `${y.meaning} ${y.symbol} against ${x.meaning} ${x.symbol}`;
 
 /** Empty where the run wrote none. */
 export async function own_charts(run: string): Promise<{ chart: LiveChart; fill: () => void; face: HTMLElement }[]> {

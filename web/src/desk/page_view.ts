@@ -13,7 +13,7 @@ async function framed(path: string, ...more: HTMLElement[]): Promise<HTMLElement
   const { address, without_scripts } = await api.show(path);
   const keep = element("button", { type: "button" }, "Save the page"), alone = element("a", { href: address, target: "_blank", rel: "noopener" }, "Open in a new tab");
   keep.addEventListener("click", () => void api.file(path).then((file) => download(file, path.split("/").pop()!)));
-  const note = make("p", "quiet", "The scripts of this page do not run here: another version of berm, or another program, wrote it. Make its report anew to see all of it.");
+  const note = make("p", "quiet", "The scripts of this page do not run here: another version of berm, or another program, wrote it. Write its report again to see all of it.");
   return [make("div", "bar", alone, keep, make("span", "quiet", path), ...more), ...(without_scripts ? [note] : []), element("iframe", { src: address, sandbox: "allow-scripts allow-downloads allow-popups", class: "page_frame", title: path })];
 }
 
@@ -78,7 +78,7 @@ export class JobView implements Place {
   private async look(): Promise<void> {
     try {
       const found = (await api.jobs()).find(({ job }) => job === this.job);
-      if (!found) return this.head.replaceChildren(make("p", "quiet", "It was not started from this desk since the desk began. Its files are in the folder of that name."));
+      if (!found) return this.head.replaceChildren(make("p", "quiet", "It was not started from this session of the desk. Its files are in the folder of that name."));
       this.show(found);
       if (found.status !== "running" && found.status !== "queued") await this.show_page(found);
     } catch (error) {
@@ -117,7 +117,7 @@ export class JobView implements Place {
 /** Programs that springs are written for, as berm export calls them. */
 const programs: [word: string, name: string][] = [
   ["table", "tables (CSV)"], ["abaqus", "Abaqus"], ["orcaflex", "OrcaFlex"], ["ansys", "ANSYS"], ["sima", "SIMA (RIFLEX)"], ["calculix", "CalculiX"], ["opensees", "OpenSees"],
-  ["moordyn", "MoorDyn"], ["buckpy", "BuckPy"], ["json", "JSON"], ["line", "shapes of a pipeline"], ["py", "p-y curves of a pipeline"],
+  ["moordyn", "MoorDyn"], ["buckpy", "BuckPy"], ["json", "JSON"], ["line", "shapes of a pipeline"], ["py", "p-y curves"],
 ];
 
 export class ExportView implements Place {

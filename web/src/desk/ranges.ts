@@ -31,7 +31,7 @@ export function wrong_in({ low, high }: Range): string {
   if (low.trim() === "" && high.trim() === "") return "";
   if (parts.some((part) => part === null)) return "a number, or a number and its unit: 2 kPa";
   const [from, to] = parts.map((part) => Number(part![1].replace(",", ".")));
-  return parts[0]![2] === parts[1]![2] && from >= to ? "low is to be less than high" : "";
+  return parts[0]![2] === parts[1]![2] && from >= to ? "low must be less than high" : "";
 }
 
 /** Whether a study may vary what stands there: numbers of soils and of contacts. */

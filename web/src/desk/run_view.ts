@@ -269,5 +269,5 @@ export class RunView implements Place {
 /** After a run that did not come to its end. */
 function what_can_be_done({ status, can_resume, case: file }: RunNow): string {
   if (can_resume) return "Resume continues it from its last checkpoint.";
-  return status === "failed" && file !== "" ? `It would end so again: change ${file}, and run it anew.` : "Run its case anew.";
+  return status === "failed" && file !== "" ? `It would fail again: change ${file} and run it again.` : "Run its case again.";
 }

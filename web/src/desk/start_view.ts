@@ -103,7 +103,7 @@ export class StartView implements Place {
       source.textContent = chosen ? `${chosen.source}. ${chosen.trust}` : "";
     });
     const form = element("form", { method: "dialog" }), wrong = make("p", "bad");
-    const cpt = element("input", { type: "file", id: "new-cpt", accept: ".csv,.gef,.ags" }), place = element("input", { type: "text", id: "new-location", placeholder: "LOCA_ID, where the file has several" });
+    const cpt = element("input", { type: "file", id: "new-cpt", accept: ".csv,.gef,.ags" }), place = element("input", { type: "text", id: "new-location", placeholder: "LOCA_ID, if the file has several" });
     const where = make("div", "", element("label", { for: "new-location" }, "Location in a file of AGS"), place);
     where.hidden = true;
     cpt.addEventListener("change", () => (where.hidden = !/\.ags$/i.test(cpt.files?.[0]?.name ?? "")));

@@ -26,11 +26,12 @@ void describe(Describe& d, RigidSettings& rigid)
            .unit = "kg m",
            .range = positive});
   d.value("depth_slices", rigid.depth_slices,
-          {.meaning = "number of slices of its height in the soil at the start over which the forces of the soil are split: p-y curves "
+          {.meaning = "number of slices of equal height into which its embedded part at the start is divided, for the forces of the soil "
+                      "by depth: p-y curves "
                       "and shaft friction of a pile (docs/how_to/penetrate.md)",
            .range = {0, 100}});
   d.value("structure", rigid.structure,
-          {.meaning = "structure whose results it has: automatic takes it from shape, ground and stages (docs/how_to/penetrate.md)"});
+          {.meaning = "structure whose results are reported: automatic takes it from shape, ground and stages (docs/how_to/penetrate.md)"});
 }
 
 void check(Describe& d, const std::string& path, const RigidSettings& rigid, int dimension)

@@ -15,7 +15,7 @@ std::vector<const char*> words(const std::variant<Ts...>&)
 void describe_shape(Describe& d, RigidShapeSettings& shape)
 {
   d.one_of("shape", shape, words(shape),
-           {.meaning = "exact surface of the body; in space circle and polygon are endless along z", .required = true});
+           {.meaning = "exact surface of the body; in space circle and polygon are infinite along z", .required = true});
 }
 
 bool is_endless(const RigidShapeSettings& shape)

@@ -69,8 +69,8 @@ public:
     if (twice_.count > 0)
       return twice_.words("closed surface within another, so that its volume counts twice (that of a cavity faces inwards)",
                           "closed surfaces within others, so that their volume counts twice (those of cavities face inwards)");
-    return inwards_.words("closed surface that faces inwards and is no cavity of another",
-                          "closed surfaces that face inwards and are no cavities of others");
+    return inwards_.words("closed surface that faces inwards and is not a cavity of another",
+                          "closed surfaces that face inwards and are not cavities of others");
   }
 
 private:

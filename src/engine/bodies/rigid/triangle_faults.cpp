@@ -78,7 +78,7 @@ std::string fault_of(const Triangles& t)
     if (!x.allFinite()) not_finite.add(x);
     size = std::max(size, (x - t.points.front()).norm());
   }
-  if (not_finite.count > 0) return "has points that are no numbers";
+  if (not_finite.count > 0) return "has points that are not numbers";
   if (size == 0) return "has no size: all its points are one";
   if (!std::isfinite(size * size * size * size * size)) return "is too large for its volume and moments of inertia to be numbers";
   constexpr Real flat = 1e-12;  // of the square of the size: less is round-off

@@ -177,7 +177,7 @@ Triangles obj(Lines lines)
       const auto [stop, error] = std::from_chars(words[k].data(), end, number);
       const Index count = static_cast<Index>(points.size()), index = number < 0 ? count + number : number - 1;
       if (error != std::errc() || (stop != end && *stop != '/') || index < 0 || index >= count)
-        lines.refuse(fmt::format("\"{}\" is no vertex before this line, which has {} of them", words[k].substr(0, most_shown), count));
+        lines.refuse(fmt::format("\"{}\" is not a vertex before this line, which has {} of them", words[k].substr(0, most_shown), count));
       corners.push_back(found.point(points[static_cast<std::size_t>(index)]));
     }
     if (corners.size() < 3) lines.refuse(fmt::format("a face has three corners or more, and this one {}", corners.size()));

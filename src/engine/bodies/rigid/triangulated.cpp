@@ -30,8 +30,9 @@ void read_solid(TriangulatedSettings& surface)
 
 void describe(Describe& d, TriangulatedSettings& surface)
 {
-  d.value("file", surface.file,
-          {.meaning = "file of triangles, beside the case file: STL, as text or binary, or OBJ. They must be closed", .required = true});
+  d.value(
+      "file", surface.file,
+      {.meaning = "file of triangles, relative to the case file: STL, as text or binary, or OBJ. They must be closed", .required = true});
   d.value("scale", surface.scale, {.meaning = "length of a unit of the file: \"1 mm\"", .unit = "m", .range = positive});
   d.value("position", surface.position, {.meaning = "where the origin of the file lies; absent = at the origin", .unit = "m"});
   d.value("tilt", surface.rotation,

@@ -77,7 +77,7 @@ struct Sample {
 std::vector<Sample> samples()
 {
   const std::string on_each_other = "that lie on each other over an area", twice = "so that its volume counts twice",
-                    inwards = "that faces inwards and is no cavity";
+                    inwards = "that faces inwards and is not a cavity";
   return {
       {"overlap with coplanar sides", both(outer, cube({0.5, 0, 0}, 1)), on_each_other},
       {"one within the other, with a side in common", both(outer, cube({0.3, 0.3, 0}, 0.4)), on_each_other},
@@ -123,7 +123,7 @@ TEST(Overlaps, are_told_with_their_number_and_a_place)
   EXPECT_EQ(fault_of(both(outer, cube({0.3, 0.3, 0.3}, 0.4))), "1 closed surface within another, so that its volume counts twice (that of "
                                                                "a cavity faces inwards), such as at (0.566667, 0.3, 0.433333) m");
   EXPECT_EQ(fault_of(both(outer, inside_out(cube({2, 0, 0}, 0.5)))),
-            "1 closed surface that faces inwards and is no cavity of another, such as at (2.33333, 0, 0.166667) m");
+            "1 closed surface that faces inwards and is not a cavity of another, such as at (2.33333, 0, 0.166667) m");
   EXPECT_EQ(fault_of(both(outer, cube({0.5, 0, 0}, 1))).substr(0, 72),
             "12 pairs of triangles that lie on each other over an area, such as at (0");
 }
@@ -168,7 +168,8 @@ TEST(TriangleFiles, leave_out_points_of_no_triangle)
 
 TEST(TriangleFiles, say_no_word_of_a_file_that_moves_a_cursor)
 {
-  EXPECT_EQ(reading_of("word.obj", "v 0 0 0\nf \x1b[2J 1 1\n"), "word.obj:2: \" [2J\" is no vertex before this line, which has 1 of them");
+  EXPECT_EQ(reading_of("word.obj", "v 0 0 0\nf \x1b[2J 1 1\n"),
+            "word.obj:2: \" [2J\" is not a vertex before this line, which has 1 of them");
   EXPECT_EQ(reading_of("more.stl", "solid\nvertex 0 0 0\nvertex 0 0 0\nvertex 0 0 0\nvertex 0 0 0\n"),
             "more.stl:5: a facet of an STL file has three vertices, and this one more");
 }

@@ -163,7 +163,7 @@ TEST_F(SurfaceFile, is_refused_with_what_is_wrong_and_where)
       << through;
   EXPECT_EQ(refusal("none.stl", "solid none\nendsolid none\n"), "none.stl has no triangle");
   EXPECT_EQ(refusal("word.stl", "solid a\nvertex 0 zero 0\n"), "word.stl:2: needs three numbers after \"vertex\"");
-  EXPECT_EQ(refusal("far.obj", "v 0 0 0\nf 1 2 3\n"), "far.obj:2: \"2\" is no vertex before this line, which has 1 of them");
+  EXPECT_EQ(refusal("far.obj", "v 0 0 0\nf 1 2 3\n"), "far.obj:2: \"2\" is not a vertex before this line, which has 1 of them");
   EXPECT_EQ(refusal("two.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n"), "two.obj:3: a face has three corners or more, and this one 2");
   EXPECT_EQ(refusal("half.stl", binary_stl(box).substr(0, 500).replace(0, 5, "other")),
             "half.stl: has 500 bytes, and a binary STL file with its 12 facets has 684");
