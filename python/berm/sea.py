@@ -15,8 +15,8 @@ from .program import PathLike, call, default_folder, options, settings
 @dataclass(frozen=True)
 class SeaLoads:
     """Loads and displacements of a pipe in a sea state. quantities: all numbers of summary.json, SI, NaN where there is none. By seed:
-    records, loads on a pipe at rest in the whole sea state (time_s, H_N_m, V_N_m); waves, water in its largest waves (time_s, water_m_s);
-    tracks, displacements of the pipe (time_s, u_m, w_m), empty without [soil]. answer: in words."""
+    records, loads on a pipe at rest in the whole sea state (time_s, H_N_m, V_N_m); waves, the water in its largest waves (time_s,
+    water_m_s); tracks, displacements of the pipe (time_s, u_m, w_m), empty without [soil]. answer: in words."""
 
     folder: Path
     quantities: dict[str, float]

@@ -73,8 +73,8 @@ CLI::Validator one_of(const std::vector<std::string>& words)
 
 std::string Help::make_option_opts(const CLI::Option* option) const
 {
-  if (option->get_type_size() == 0) return option->get_excludes().empty() ? "" : " (not with " + names_of(option->get_excludes()) + ")";
-  std::string words = " " + value_words(option->get_type_name());
+  const std::string value = value_words(option->get_type_name());
+  std::string words = value.empty() ? "" : " " + value;
   if (option->get_expected_max() == CLI::detail::expected_max_vector_size) words += " ...";
   if (!option->get_needs().empty()) words += " (with " + names_of(option->get_needs()) + ")";
   if (!option->get_excludes().empty()) words += " (not with " + names_of(option->get_excludes()) + ")";
@@ -88,6 +88,7 @@ std::string in_words(const CLI::ParseError& error)
       {std::regex("(\\S+): \\d+ required (?:TEXT:|INT:|FLOAT:)?(.*) missing"), "$1: needs a value; allowed: $2"},
       {std::regex("(\\S+): At Most 1 required but received \\d+"), "$1: is given more than once"},
       {std::regex("(\\S+) was given a disallowed flag override"), "$1: takes no value"},
+      {std::regex("Could not convert: (\\S+) = (.*)"), "$1: \"$2\" is not allowed"},
       {std::regex("(\\S+) excludes (\\S+)"), "$1: cannot be combined with $2"},
       {std::regex("(\\S+) requires (\\S+)"), "$1: needs $2"},
       {std::regex("(\\S+) is required"), "$1 is missing"},

@@ -106,7 +106,7 @@ inline const std::vector<SenselessInput>& senseless_sizes()
       {"centre_of_a_thinner_pipe",
        "bed",
        warned,
-       {"rigid.pipe.center", "puts the lowest point 5 mm (0.17 D) below the surface", "put the centre at 0.015 m"},
+       {"rigid.pipe.center", "puts the lowest point 5 mm (0.17 D) below the seabed", "put the centre at 0.015 m"},
        {"rigid.pipe.diameter=30 mm", "stage.push.until.embedment=7 mm"},
        "",
        ""},

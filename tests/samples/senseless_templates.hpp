@@ -33,7 +33,7 @@ inline const std::vector<SenselessTemplate>& senseless_templates()
        "pipeline.far_soil.mobilisation", "usual values are"},
       {"wall_of_half_a_millimetre", "lateral-buckle", "wall = \"15 mm\"", "wall = \"0.5 mm\"", "pipeline.wall", "of the diameter"},
       {"wall_of_more_than_the_weight", "lateral-buckle", "wall = \"15 mm\"", "wall = \"40 mm\"", "pipeline.submerged_weight",
-       "the steel of the wall alone"},
+       "the steel wall alone"},
       {"pipe_lighter_than_its_steel", "lateral-buckle", "mass = \"330 kg/m\"", "mass = \"33 kg/m\"", "rigid.pipe.mass",
        "steel of the wall alone"},
       {"imperfection_steeper_than_the_line_bends", "lateral-buckle", "amplitude = \"1 m\"", "amplitude = \"20 m\"",

@@ -540,7 +540,7 @@ inline const std::vector<WrongInput>& wrong_inputs()
       {"bracket_without_its_pair", "[mesh]", "[mesh", 5, {"not valid TOML", "']'"}, {}},
       {"parser_gives_up", "[output]", "[&", 66, {"not valid TOML"}, {}},
       {"quote_not_closed", "\"0.5 s\"", "\"0.5 s", 67, {"is a quote left open?"}, {}},
-      {"value_without_quotes", "\"0.5 s\"", "0.5 s", 67, {"stand in quotes"}, {}},
+      {"value_without_quotes", "\"0.5 s\"", "0.5 s", 67, {"are written in quotes"}, {}},
       // Overrides.
       {"override_of_an_unknown_key",
        "",

@@ -80,7 +80,7 @@ ContourTable read_contours(const ContourSettings& settings, const std::filesyste
                               .columns = {{"average_stress_ratio", ""}, {"cycles", ""}, {"cyclic_stress_ratio", ""}},
                               .header = "average_stress_ratio,cycles,cyclic_stress_ratio",
                               .first = {of, ""},
-                              .over = "quantity of the contours"};
+                              .over = "the quantity of the contours"};
   const ContourCurve* last = nullptr;
   const auto take = [&](Real strain, const std::vector<std::size_t>& columns, const std::vector<Real>& values) -> std::string {
     Real row[3] = {nan, nan, nan};

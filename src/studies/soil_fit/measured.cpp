@@ -122,7 +122,7 @@ void check_numbers(const Columns& of)
       of.refuse(row, fmt::format("{} is {:.4g}, which no specimen strains by: is its unit %?", name, x));
     if (reading == Reading::axial_strain && x < slack && !any_above(reading, -slack))
       of.refuse(row,
-                fmt::format("{} reaches {:.4g}: compression is positive, and in a test with direction = \"extension\" extension", name, x));
+                fmt::format("{} reaches {:.4g}: compression is positive; with direction = \"extension\" extension is positive", name, x));
   }
   for (const Reading reading : {Reading::q, Reading::p, Reading::vertical_stress, Reading::lateral_stress, Reading::tau}) {
     if (!of.has(reading)) continue;

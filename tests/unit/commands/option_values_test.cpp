@@ -26,7 +26,7 @@ TEST(OptionValues, that_are_not_allowed_are_refused_with_what_is)
       {{"run", "--threads"}, "--threads: needs a value; allowed: a whole number from 1 to 1024"},
       {{"run", "case.toml", "--set"}, "--set: needs a value\n"},
       {{"new", "slope", "--size", "fine", "--size", "quick"}, "--size: is given more than once"},
-      {{"run", "case.toml", "--force=perhaps"}, "--force: "},
+      {{"run", "case.toml", "--force=perhaps"}, "--force: \"perhaps\" is not allowed"},
       {{"run", "case.toml", "--resume", "out"}, ": cannot be combined with "},
       {{"export", "run", "--ocr-exponent", "1"}, "--ocr-exponent: needs --strength-ratio"},
       {{"cpt"}, "FILE is missing"},

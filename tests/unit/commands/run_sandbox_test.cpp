@@ -222,7 +222,7 @@ TEST_F(SandboxOfLaw, is_no_part_of_a_law_that_ends_the_program)
   for (const char* option : {"--sandbox", "--no-sandbox"}) {
     const Ended ended = run(20, {option});
     EXPECT_EQ(ended.status, 1) << option;
-    EXPECT_NE(ended.err.find("ended the program (_exit); what the run folder holds is whole"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("ended the program (_exit); the files in the run folder are complete"), std::string::npos) << ended.err;
   }
 }
 

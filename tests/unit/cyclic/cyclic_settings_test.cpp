@@ -83,7 +83,7 @@ TEST_F(CyclicSettings, refuse_a_wrong_table_with_its_line)
             "are written "
             "likewise, as in cm_s");
   EXPECT_EQ(fault(whole, "gamma,cycles\n1,1\n1,2\n"),
-            "contours.csv:1: the first column is what the contours are of, \"shear_strain\", and not \"gamma\"");
+            "contours.csv:1: the first column is the quantity of the contours, \"shear_strain\", and not \"gamma\"");
   EXPECT_EQ(fault("[contours]\ntable = \"nothing.csv\"\n" + std::string(storm)).rfind("storm.toml:2: contours.table: nothing.csv: ", 0),
             0u);
 }

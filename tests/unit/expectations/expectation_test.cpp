@@ -94,7 +94,7 @@ TEST(Expectation, may_be_the_ratio_of_the_numbers_of_two_runs)
   const Expectation& ratio = all.expect.at(0);
   EXPECT_EQ(runs_of(ratio), (std::vector<std::string>{"a", "b"}));
   EXPECT_TRUE(is_pure(ratio));
-  EXPECT_EQ(words_of(ratio), "V_at_w_0.1D over that of b");
+  EXPECT_EQ(words_of(ratio), "V_at_w_0.1D divided by that of b");
   EXPECT_DOUBLE_EQ(number_of(ratio, {103, 100}), 1.03);
   EXPECT_TRUE(is_met(ratio, 1.029));
   EXPECT_FALSE(is_met(ratio, 0.969));

@@ -163,7 +163,7 @@ TEST_F(LoadHistory, with_a_wrong_header_is_refused_with_what_was_meant)
   says("time_s,H_N", "\"H_N\" has no unit of a force per length");
   says("time_s,H_N", "write \"H_N_m\"");
   says("time_s,H_m_s", "has no unit of a force per length");
-  says("time_s,H_N_m,H_kN_m", "\"H_kN_m\" is a second column of the same");
+  says("time_s,H_N_m,H_kN_m", "\"H_kN_m\" repeats another column");
   says("time_s", "names no column after the time");
   EXPECT_NE(refusal("time_s,H_N_m,V_N_m\n0,1,2\n1,2\n", false).find("storm.csv:3: needs 3 numbers"), std::string::npos);
 }

@@ -55,7 +55,7 @@ TEST(ReadPipeline, is_refused_with_its_key_where_it_makes_no_sense)
        "pipeline.route.y",
        "begin at 0"},
       {{"stage.current.repeat_from=\"lay\""}, "repeat_from", "without `repeat`"},
-      {{"stage.unload.repeat=2", "stage.unload.repeat_from=\"current\""}, "repeat_from", "no stage before"},
+      {{"stage.unload.repeat=2", "stage.unload.repeat_from=\"current\""}, "repeat_from", "not a stage before"},
       {{"pipeline.end=\"pinned\""}, "pipeline.end", "anchored"},
       {{"pipeline.length=\"2 m\""}, "pipeline.length", "to the last slice"},
       {{"pipeline.length=\"inf m\""}, "pipeline.length", ""},

@@ -62,7 +62,7 @@ const WrongGeometry in_space[] = {
     {"direction_that_is_none", "support.base.fixed=[\"w\"]", {"support.base.fixed", "\"w\" is not a direction (allowed: x, y, z)"}},
     {"finite_elements", "method=fem", {"method", "need geometry = \"plane_strain\" or \"axisymmetric\""}},
     {"width_of_nothing", "mesh.width=0 m", {"mesh.width", "must be more than 0 m"}},
-    {"plane_of_symmetry_across_gravity", "symmetry=[\"y\"]", {"symmetry", "no axis with a plane of symmetry", "allowed: x, z"}},
+    {"plane_of_symmetry_across_gravity", "symmetry=[\"y\"]", {"symmetry", "not an axis with a plane of symmetry", "allowed: x, z"}},
     {"misspelt_key_of_space", "mesh.near_fornt=0.1 m", {"mesh.near_fornt", "near_front"}},
 };
 INSTANTIATE_TEST_SUITE_P(Table, WrongInSpace, testing::ValuesIn(in_space), [](const auto& row) { return std::string(row.param.name); });

@@ -64,7 +64,7 @@ TEST(Diagnostics, name_rows_left_out_and_gaps_at_the_seabed_between_readings_and
 {
   Sounding many = made(soft);
   many.rows += 10;
-  EXPECT_EQ(all(doubts_of_rows(many, 3)), "10 of 70 rows are left out: look at the file\n");
+  EXPECT_EQ(all(doubts_of_rows(many, 3)), "10 of 70 rows are left out: check the file\n");
   many.rows -= 5;
   EXPECT_EQ(all(doubts_of_rows(many, 3)), "") << "5 of 65";
   EXPECT_NE(all(doubts_of_rows(made(soft, 0, 1.7), 3)).find("the first reading is at 1.70 m: the strength from the seabed to there"),

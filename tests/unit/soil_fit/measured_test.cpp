@@ -85,9 +85,8 @@ TEST_F(MeasuredTests, that_are_wrong_get_one_message)
   EXPECT_EQ(fault(std::string("axial_strain_1,q_kPa,p_kPa\n") + rest),
             "tests.csv:3: axial_strain in the column \"axial_strain_1\" is 10, which no specimen strains by: is its unit %?");
   EXPECT_EQ(fault("axial_strain_percent,q_kPa,p_kPa\n0,0,100\n-10,150,150\n"),
-            "tests.csv:3: axial_strain in the column \"axial_strain_percent\" goes to -0.1: compression is positive, and in a test with "
-            "direction "
-            "= \"extension\" extension");
+            "tests.csv:3: axial_strain in the column \"axial_strain_percent\" reaches -0.1: compression is positive; with direction = "
+            "\"extension\" extension is positive");
   EXPECT_EQ(fault("axial_strain_percent,q_kPa,p_kPa\n0,0,-100\n10,150,-150\n"),
             "tests.csv:2: p in the column \"p_kPa\" is -1e+05 Pa: stresses are effective, and compression is positive");
   EXPECT_EQ(fault("axial_strain_percent,q_Pa,p_kPa\n0,0,100\n10,50,150\n"),
@@ -114,7 +113,7 @@ TEST_F(MeasuredTests, in_extension_are_positive_where_they_lengthen)
   EXPECT_DOUBLE_EQ(found[0].driven[1], std::log(1.1));
   EXPECT_NEAR(as_measured(found[0], found[0].driven[1]), 0.1, 1e-15);
   EXPECT_NE(fault("axial_strain (%),q (kPa),p (kPa)\n0,20,100\n10,60,80\n", "direction = \"extension\"\n")
-                .find("in extension q, vertical less lateral stress, goes down"),
+                .find("in extension q, vertical less lateral stress, decreases"),
             std::string::npos);
 }
 

@@ -140,8 +140,9 @@ TEST_F(PenetrometerTests, that_cannot_be_are_refused)
   EXPECT_NE(fault(good, "", "depth (m),resistance (GPa)\n").find("is not the resistance of clay: is its unit right?"), std::string::npos);
   EXPECT_NE(fault(good, "", "depth (m),tip (kPa)\n").find("no column is resistance (resistance of the tool, down positive), or force"),
             std::string::npos);
-  EXPECT_NE(fault(good, "", "depth (m),force (kN)\n").find("is over an area, diameter times length of the bar: measured.site.area"),
-            std::string::npos);
+  EXPECT_NE(
+      fault(good, "", "depth (m),force (kN)\n").find("is a force, and needs an area, diameter times length of the bar: measured.site.area"),
+      std::string::npos);
   EXPECT_NE(fault(good, "zero_shift = \"-200 kPa\"\n")
                 .find("the resistance of the first extraction is 142.5 kPa on average: it is positive down, and negative where the tool is "
                       "pulled up"),

@@ -79,7 +79,7 @@ TEST(WrittenSprings, downwards_begin_at_the_state_follow_the_unloading_line_to_t
   EXPECT_NEAR(reaction(points, 0.1352), 500, 1e-9) << "unloaded";
   for (const Point& p : from_rest(points)) EXPECT_GE(p.x, 0);
   EXPECT_NEAR(reaction(from_rest(points), 0.0016), 1000, 1e-9);
-  EXPECT_NE(rest_words(s).find("0.1344 m below the surface"), std::string::npos) << rest_words(s);
+  EXPECT_NE(rest_words(s).find("0.1344 m below the seabed"), std::string::npos) << rest_words(s);
   // Followed deeper than the state: the virgin curve itself.
   s.vertical.curve.push_back({0.2, 2600});
   points = vertical_spring(s);

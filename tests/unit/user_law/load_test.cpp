@@ -63,7 +63,7 @@ TEST(Load, refuses_another_library_than_the_run_began_with)
   settings::Case c = case_with("");
   law_of(c).library_sha256 = std::string(64, '0');
   EXPECT_EQ(refusal_of(c).find("material.clay.library: "), 0u);
-  EXPECT_NE(refusal_of(c).find("is another file than the one with the SHA-256 0000"), std::string::npos);
+  EXPECT_NE(refusal_of(c).find("does not have the SHA-256 0000"), std::string::npos);
 }
 
 TEST(Load, names_the_key_of_what_it_refuses)

@@ -27,7 +27,7 @@ TEST(trust_page, misjudged_runs_come_first)
   worse.problem = "worse", misjudged.problem = "misjudged";
   const std::string page = trust_page({worse, misjudged});
   EXPECT_LT(page.find("misjudged<"), page.find("worse<")) << page;
-  EXPECT_NE(page.find("of 2 wrong ones 1 are called good"), std::string::npos) << page;
+  EXPECT_NE(page.find("of 2 wrong ones 1 are rated good"), std::string::npos) << page;
   EXPECT_NE(page.find("a &lt; b."), std::string::npos) << page;
 }
 
@@ -37,7 +37,7 @@ TEST_F(TrustOfFalls, asks_of_numbers_that_are_known)
 {
   example("fall", two_runs + claim("earth", "-10") + claim("light", "-6") + ends("light"));
   const Ended ended = verify({});
-  EXPECT_NE(ended.out.find("2 runs whose answer is known: of 1 right ones 0 are called bad, of 1 wrong ones 1 are called good"),
+  EXPECT_NE(ended.out.find("2 runs whose answer is known: of 1 right ones 0 are rated bad, of 1 wrong ones 1 are rated good"),
             std::string::npos)
       << ended.out;
   EXPECT_NE(result("index.html").find("trust.html"), std::string::npos);

@@ -70,7 +70,7 @@ TEST(ExpectationsSection, has_a_row_for_each_number_that_is_expected_of_the_runs
 TEST(ExpectationsSection, compares_runs_that_are_both_there)
 {
   const std::string html = section({PaperRun{}.record("first"), PaperRun{.file = "wip_10.toml", .overrides = {}}.record("second")});
-  EXPECT_NE(html.find("H_at_u_0.3D over that of placed"), std::string::npos) << html;
+  EXPECT_NE(html.find("H_at_u_0.3D divided by that of placed"), std::string::npos) << html;
   EXPECT_EQ(count(html, ">failed<"), 1u) << "a number that the run does not have";
 }
 
