@@ -90,7 +90,7 @@ void check_element(Describe& d, const std::string& path, const Expectation& e, c
   const bool of_tests =
       std::any_of(all.run.begin(), all.run.end(), [&](const auto& run) { return run.first == e.run && !run.second.is_run(); });
   d.check(!of_tests || e.observable.column.empty(), path + ".column",
-          "a run with element, fit, cyclic, sea or route = true has quantities alone");
+          "a run with element, fit, cyclic, sea or route = true has quantities only");
 }
 
 /// A number of which nobody says what it is for, and where it is from, proves nothing.

@@ -51,7 +51,7 @@ void check_structures(const settings::Case& c)
       refuse("is round: it needs geometry = \"axisymmetric\" or \"space\"; in plane strain a body is a bar or a strip",
              {"t_bar", "footing", "pipe"});
     if (found->geometry == StructureGeometry::plane && !in_plane)
-      refuse("is pushed across itself: it needs geometry = \"plane_strain\"", {"ball", "pipe"});
+      refuse("is loaded normal to its axis: it needs geometry = \"plane_strain\"", {"ball", "pipe"});
   }
 }
 

@@ -229,7 +229,7 @@ void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
                                              E > rock ? "as stiff as rock" : "softer than peat"));
     if (const Real inertia = inertia_density(soil.material); inertia > heaviest && inertia > density(soil.material))
       found.warn(soil.key("inertia_density"),
-                 fmt::format("is {:.3g} kg/m3; soil with its water has 1400 to 2200: a larger one makes time steps longer (mass scaling), "
+                 fmt::format("is {:.3g} kg/m3; saturated soil has 1400 to 2200: a larger one makes time steps longer (mass scaling), "
                              "and the drive must be slower by the same factor; if that is not intended, is the unit right (\"kg/m^3\")?",
                              inertia));
   }

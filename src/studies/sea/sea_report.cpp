@@ -113,7 +113,7 @@ std::vector<std::string> answer_in_words(const SeaResults& results)
   std::vector<std::string> words = {
       fmt::format("In {:.3g} h of H_s = {:.3g} m in {:.3g} m of water the velocity at the seabed, normal to the pipe, is U_s = {:.3g} m/s "
                   "with a mean "
-                  "period of {:.3g} s; the largest oscillation has {:.3g} m/s, the current {:.3g} m/s.",
+                  "period of {:.3g} s; the amplitude of the largest oscillation is {:.3g} m/s, the current {:.3g} m/s.",
                   c.sea.duration / 3600, a.height, c.sea.depth, a.waves.velocity, a.waves.period, a.design.velocity.value, a.current),
       fmt::format("By DNV-RP-F109 its peak loads are {:.3g} N/m across and {:.3g} N/m up, at a submerged weight of {:.4g} N/m: the pipe {} "
                   "(utilisation "

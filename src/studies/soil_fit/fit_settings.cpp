@@ -34,7 +34,7 @@ void describe_tool(Describe& d, Penetrometer& tool, const char* least_area)
            .range = positive});
   d.value("zero_shift", tool.zero_shift,
           {.meaning = "resistance that the file shows where nothing resists, down positive: shift of zero, or pressure of the ground on "
-                      "the tool that was not taken off",
+                      "the tool that was not subtracted",
            .unit = "Pa"});
 }
 

@@ -223,7 +223,7 @@ std::vector<std::string> doubts_of_passages(const MeasuredTest& test, const std:
   std::vector<std::string> all;
   if (std::abs(off) > asymmetric * std::abs(last))
     all.push_back(fmt::format("{}: in the last passages the resistance down is {:.0f} % {} than that up, and remoulded clay resists both "
-                              "alike: a shift of zero or a pressure of the ground that was not taken off, zero_shift = \"{:.3g} kPa\"",
+                              "alike: a zero shift or a ground pressure that was not subtracted, zero_shift = \"{:.3g} kPa\"",
                               test.name, 200 * std::abs(off / last), off > 0 ? "higher" : "lower",
                               (passages.settings.zero_shift + off) / 1e3));
   const Real law_last = computed.back(), lost = computed.front() - law_last;

@@ -70,7 +70,7 @@ TEST(Expectation, of_element_tests_needs_a_quantity_and_has_no_band)
                     quantity = "[[expect]]\nrun = \"a\"\nquantity = \"ds.s_u\"\nexact = 1\ntolerance = 1\n",
                     column = "[[expect]]\nrun = \"a\"\ncolumn = \"q_Pa\"\nexact = 1\ntolerance = 1\n";
   EXPECT_EQ(complaint(tests + quantity + words), "");
-  EXPECT_NE(complaint(tests + column + words).find("has quantities alone"), std::string::npos);
+  EXPECT_NE(complaint(tests + column + words).find("has quantities only"), std::string::npos);
   EXPECT_NE(complaint(tests + "uncertainty = true\n" + quantity + words).find("have no bands"), std::string::npos);
 }
 

@@ -167,7 +167,7 @@ TEST_F(PenetrometerTests, say_what_is_doubtful)
     return std::any_of(all.begin(), all.end(), [&](const std::string& doubt) { return doubt.find(what) != std::string::npos; });
   };
   const std::vector<std::string> shifted = doubts(fit(rows_of(strokes(20), 2, 3)));
-  EXPECT_TRUE(has(shifted, "was not taken off, zero_shift = \"3 kPa\"")) << (shifted.empty() ? "" : shifted[0]);
+  EXPECT_TRUE(has(shifted, "was not subtracted, zero_shift = \"3 kPa\"")) << (shifted.empty() ? "" : shifted[0]);
   EXPECT_FALSE(has(doubts(fit(rows_of(strokes(20), 2, 3), "zero_shift = \"3 kPa\"\n")), "zero"));
   EXPECT_TRUE(has(doubts(fit(rows_of(strokes(6)))), "would lose another"));
   EXPECT_FALSE(has(doubts(fit(rows_of(strokes(12)))), "would lose another"));

@@ -80,7 +80,7 @@ TEST(Structures, the_input_names_one_that_there_is_and_that_the_geometry_can_hav
   const std::string place = fmt::format("case.toml:{}: rigid.pipe.structure: ", std::count(line.begin(), line.end(), '\n') + 2);
   expect(refusal("bal", false),
          {place, "did you mean \"ball\"", "allowed: automatic, cone, ball, t_bar, pile, skirt, footing, anchor, pipeline, pipe, other"});
-  expect(refusal("t_bar", true), {"is pushed across itself", "needs geometry = \"plane_strain\""});
+  expect(refusal("t_bar", true), {"is loaded normal to its axis", "needs geometry = \"plane_strain\""});
   expect(refusal("cone", false), {place, "is round: it needs geometry"});
 }
 
