@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sand whose friction angle varies at random: what is refused, its distribution, and what particles and elements get of it.
 #include "fem/fem_problem.hpp"
-#include "input/read_case.hpp"
 #include "material/mohr_coulomb.hpp"
-#include "os/error.hpp"
+#include "samples/random_footing.hpp"
 #include "samples/temporary_folder.hpp"
 #include "settings/safety.hpp"
 
@@ -12,20 +11,7 @@
 namespace berm::settings::this_file {
 namespace {
 
-constexpr const char* footing = R"(method = "fem"
-[mesh]
-kind = "seabed"
-left = "2 m"
-length = "4 m"
-depth = "2 m"
-headroom = "0.4 m"
-near_size = "0.2 m"
-near_left = "-0.6 m"
-near_right = "0.6 m"
-near_depth = "0.4 m"
-near_height = "0.2 m"
-growth = 0.5
-[material.sand]
+const RandomFooting footing{R"([material.sand]
 law = "mohr_coulomb"
 density = "900 kg/m^3"
 young_modulus = "10 MPa"
@@ -39,42 +25,12 @@ property = "friction_angle"
 coefficient_of_variation = 0.3
 correlation_length_x = "1 m"
 correlation_length_depth = "0.5 m"
-[body.sand]
+[body.soil]
 material = "sand"
 regions = ["near", "bed"]
 k0 = 0.5
-[rigid.footing]
-shape = "box"
-center = ["0 m", "0.25 m"]
-size = ["1 m", "0.5 m"]
-[contact.base]
-body = "sand"
-rigid = "footing"
-friction_angle = "20 deg"
-[support.base]
-boundary = "base"
-fixed = ["x", "y"]
-[[stage]]
-name = "push"
-kind = "push"
-velocity = "40 mm/s"
-until.embedment = "20 mm"
-)";
-
-Case footing_case(const std::vector<std::string>& overrides = {})
-{
-  return input::read_case_text("case.toml", footing, overrides);
-}
-
-std::string refusal(const std::vector<std::string>& overrides)
-{
-  try {
-    footing_case(overrides);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+)",
+                            "friction_angle = \"20 deg\"\n"};
 
 const material::MohrCoulomb& law_of(const material::Material& material)
 {
@@ -90,7 +46,7 @@ TEST(RandomFriction, is_refused_where_there_is_no_friction_angle_or_a_value_is_k
       {{"random_field.more={material=\"sand\", property=\"friction_angle\", coefficient_of_variation=0.1, correlation_length_x=1}"},
        "varies what [random_field.phi] varies"}};
   for (const auto& [overrides, says] : wrong)
-    EXPECT_NE(refusal(overrides).find(says), std::string::npos) << says << " is not in " << refusal(overrides);
+    EXPECT_NE(footing.refusal(overrides).find(says), std::string::npos) << says << " is not in " << footing.refusal(overrides);
 }
 
 TEST(RandomFriction, has_the_mean_the_scatter_and_the_variance_of_means_of_a_lognormal_tangent)
@@ -98,7 +54,7 @@ TEST(RandomFriction, has_the_mean_the_scatter_and_the_variance_of_means_of_a_log
   // A value in each of n realisations, and the mean of the logarithm over T = 2 theta. Four standard errors: V/sqrt(n) of the mean, sqrt((kurtosis - 1)/n) of the variance, whose kurtosis is
   // that of a lognormal variable with V = 0.3 (4.66), and sqrt(2/n) of the variance of a Gaussian mean. Classes a tenth of a deviation apart add 0.1^2/12 to the variance of the logarithm.
   constexpr int realisations = 2000, points = 40;
-  Case c = footing_case();
+  Case c = footing.with({});
   RandomFieldSettings& field = c.random_field[0].second;
   field.correlation_length_x.reset();
   const Real tangent = std::tan(32 * degree), V = field.coefficient_of_variation, zeta = field.log_deviation(), theta = 0.5;
@@ -124,7 +80,7 @@ TEST(RandomFriction, has_the_mean_the_scatter_and_the_variance_of_means_of_a_log
 TEST(RandomFriction, gives_elements_and_particles_the_same_sand)
 {
   const TemporaryFolder folder;
-  const Case by_elements = footing_case();
+  const Case by_elements = footing.with({});
   const fem::FemProblem elements = fem::build_fem(by_elements, ".", folder.path().string());
   const BodySoil& soil = elements.model.model.bodies[0].soil;
   EXPECT_NEAR(law_of(soil.at("", 0.5)).friction_angle, 32 * degree, 1e-12) << "without a place the mean";
@@ -155,7 +111,7 @@ TEST(RandomFriction, is_divided_by_a_factor_of_safety)
     make_random_fields(soil, {-2, 0}, {2, 2});
     return std::tan(law_of(soil.at("", place)).friction_angle);
   };
-  const Case c = footing_case();
+  const Case c = footing.with({});
   Case trial = c;
   trial.safety = SafetySettings{.factor = 1.5, .movement = {}};
   trial = with_reduced_strength(trial);

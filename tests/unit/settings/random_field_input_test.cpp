@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Random fields of a case: what is refused, and what particles and elements get of them.
 #include "fem/fem_problem.hpp"
-#include "input/read_case.hpp"
 #include "material/clay.hpp"
-#include "os/error.hpp"
+#include "samples/random_footing.hpp"
 #include "samples/temporary_folder.hpp"
 #include "settings/safety.hpp"
 
@@ -12,21 +11,8 @@
 namespace berm::settings::this_file {
 namespace {
 
-/// A footing on clay, by finite elements, whose strength is 10 kPa and 2 kPa/m.
-constexpr const char* footing = R"(method = "fem"
-[mesh]
-kind = "seabed"
-left = "2 m"
-length = "4 m"
-depth = "2 m"
-headroom = "0.4 m"
-near_size = "0.2 m"
-near_left = "-0.6 m"
-near_right = "0.6 m"
-near_depth = "0.4 m"
-near_height = "0.2 m"
-growth = 0.5
-[material.clay]
+/// Clay whose strength is 10 kPa and 2 kPa/m.
+const RandomFooting footing{R"([material.clay]
 law = "clay"
 density = "1800 kg/m^3"
 rigidity_index = 100
@@ -43,42 +29,11 @@ correlation_length_depth = "1 m"
 x = "0.55 m"
 depth = ["0.52 m", "1.02 m"]
 value = ["20 kPa", "9 kPa"]
-[body.clay]
+[body.soil]
 material = "clay"
 regions = ["near", "bed"]
-[rigid.footing]
-shape = "box"
-center = ["0 m", "0.25 m"]
-size = ["1 m", "0.5 m"]
-[contact.base]
-body = "clay"
-rigid = "footing"
-friction_angle = 0
-adhesion_factor = 0.5
-[support.base]
-boundary = "base"
-fixed = ["x", "y"]
-[[stage]]
-name = "push"
-kind = "push"
-velocity = "40 mm/s"
-until.embedment = "20 mm"
-)";
-
-Case footing_case(const std::vector<std::string>& overrides = {})
-{
-  return input::read_case_text("case.toml", footing, overrides);
-}
-
-std::string refusal(const std::vector<std::string>& overrides)
-{
-  try {
-    footing_case(overrides);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+)",
+                            "friction_angle = 0\nadhesion_factor = 0.5\n"};
 
 TEST(RandomFieldInput, is_refused_where_it_makes_no_field)
 {
@@ -94,14 +49,14 @@ TEST(RandomFieldInput, is_refused_where_it_makes_no_field)
       {{"random_field.more={material=\"clay\", property=\"young_modulus\", coefficient_of_variation=0.1}"},
        "needs a correlation_length_x, correlation_length_depth or both"}};
   for (const auto& [overrides, says] : wrong)
-    EXPECT_NE(refusal(overrides).find(says), std::string::npos) << says << " is not in " << refusal(overrides);
-  EXPECT_EQ(refusal({}), "");
+    EXPECT_NE(footing.refusal(overrides).find(says), std::string::npos) << says << " is not in " << footing.refusal(overrides);
+  EXPECT_EQ(footing.refusal({}), "");
 }
 
 TEST(RandomFieldInput, gives_elements_and_particles_the_same_soil_which_meets_its_sounding)
 {
   const TemporaryFolder folder;
-  const Case by_elements = footing_case();
+  const Case by_elements = footing.with({});
   const fem::FemProblem elements = fem::build_fem(by_elements, ".", folder.path().string());
   const BodySoil& soil = elements.model.model.bodies[0].soil;
   ASSERT_EQ(soil.fields.size(), 1u);
@@ -139,7 +94,7 @@ TEST(RandomFieldInput, has_the_mean_and_the_scatter_of_the_case)
   // One value in each of 2000 realisations. Standard errors: V/sqrt(n) of the mean, and of the variance sqrt((kurtosis - 1)/n), kurtosis of a lognormal variable with V = 0.4: w = 1 + V^2,
   // w^4 + 2 w^3 + 3 w^2 - 3 = 5.97. Four of each.
   constexpr int realisations = 2000;
-  Case c = footing_case();
+  Case c = footing.with({});
   c.random_field[0].second.sounding.clear();
   c.random_field[0].second.correlation_length_x.reset();
   Real sum = 0, squares = 0;
@@ -157,9 +112,9 @@ TEST(RandomFieldInput, has_the_mean_and_the_scatter_of_the_case)
 
 TEST(RandomFieldInput, of_equal_materials_leaves_each_its_own)
 {
-  Case c = footing_case({"material.other={law=\"clay\", density=\"1800 kg/m^3\", rigidity_index=100, poisson_ratio=0.49, "
+  Case c = footing.with({"material.other={law=\"clay\", density=\"1800 kg/m^3\", rigidity_index=100, poisson_ratio=0.49, "
                          "undrained_strength=\"10 kPa\", undrained_strength_gradient=\"2 kPa/m\"}",
-                         "body.clay.soil_layer=[{top=1, material=\"other\"}]"});
+                         "body.soil.soil_layer=[{top=1, material=\"other\"}]"});
   c.random_field[0].second.sounding.clear();
   BodySoil soil = soil_of(c, c.body[0].second);
   ASSERT_EQ(soil.materials.size(), 2u);
@@ -175,7 +130,7 @@ TEST(RandomFieldInput, of_soil_with_a_factor_of_safety_is_divided_with_its_sound
     make_random_fields(soil, {-2, 0}, {2, 2});
     return local_values(soil.at("", place))[0];
   };
-  const Case c = footing_case();
+  const Case c = footing.with({});
   Case trial = c;
   trial.safety = SafetySettings{.factor = 2, .movement = {}};
   trial = with_reduced_strength(trial);
@@ -185,7 +140,7 @@ TEST(RandomFieldInput, of_soil_with_a_factor_of_safety_is_divided_with_its_sound
 
 TEST(RandomFieldInput, is_of_no_cost_where_there_is_none)
 {
-  Case c = footing_case();
+  Case c = footing.with({});
   c.random_field.clear();
   const BodySoil soil = soil_of(c, c.body[0].second);
   EXPECT_EQ(local_values(soil.at("", SoilPlace{3, 0.7})), local_values(soil.at("", 0.7)));

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "input/read_case.hpp"
+#include "os/error.hpp"
+
+namespace berm {
+
+/// A footing of 1 m on a bed of cells of 0.2 m, by finite elements. `soil`: its material, random field and body, which is named soil; `interface`: keys of the contact.
+struct RandomFooting {
+  std::string soil, interface;
+
+  settings::Case with(const std::vector<std::string>& overrides) const
+  {
+    return input::read_case_text("case.toml", bed + soil + "[contact.base]\nbody = \"soil\"\nrigid = \"footing\"\n" + interface, overrides);
+  }
+
+  /// The error of such a case, empty where there is none.
+  std::string refusal(const std::vector<std::string>& overrides) const
+  {
+    try {
+      with(overrides);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  static inline const std::string bed = R"(method = "fem"
+[mesh]
+kind = "seabed"
+left = "2 m"
+length = "4 m"
+depth = "2 m"
+headroom = "0.4 m"
+near_size = "0.2 m"
+near_left = "-0.6 m"
+near_right = "0.6 m"
+near_depth = "0.4 m"
+near_height = "0.2 m"
+growth = 0.5
+[rigid.footing]
+shape = "box"
+center = ["0 m", "0.25 m"]
+size = ["1 m", "0.5 m"]
+[support.base]
+boundary = "base"
+fixed = ["x", "y"]
+[[stage]]
+name = "push"
+kind = "push"
+velocity = "40 mm/s"
+until.embedment = "20 mm"
+)";
+};
+
+}  // namespace berm
