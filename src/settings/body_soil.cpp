@@ -36,9 +36,9 @@ bool has_rigidity_index(const material::Material& material)
   return (clay != nullptr && clay->rigidity_index) || (adp != nullptr && adp->rigidity_index);
 }
 
-// Of a field of friction angles: classes from -4 to 4 standard deviations of the logarithm.
+// Classes of a field of friction angles or densities, from -4 to 4 standard deviations of the logarithm.
 constexpr Real class_width = 0.1;
-constexpr int classes_to_a_side = 40;
+constexpr int classes_to_a_side = 40, class_count = 2 * classes_to_a_side + 1;
 
 /// The number of the class of a value of the Gaussian field, from 0.
 Index class_of(Real score)
@@ -57,17 +57,43 @@ material::Material with_friction_times(const material::Material& material, Real 
   return material::Material(law);
 }
 
-/// Appends the materials of the classes of a field of friction angles.
+/// tan(phi) or density of a class over the mean.
+Real factor_of_class(const RandomFieldSettings& field, Index number)
+{
+  const Real deviation = field.log_deviation();
+  return std::exp(deviation * (number - classes_to_a_side) * class_width - deviation * deviation / 2);
+}
+
+/// Appends the materials of the classes of a field, for each class of another field of its material.
 void add_classes(BodySoil& soil, SoilField& field)
 {
-  const material::Material mean = soil.materials[field.material];
+  Index first = field.material, count = 1;
+  for (const SoilField& other : soil.fields)
+    if (other.material == field.material && other.first_class != none) first = other.first_class, count *= class_count;
   const std::string name = soil.names[field.material];
-  const Real deviation = field.settings.log_deviation();
   field.first_class = static_cast<Index>(soil.materials.size());
-  for (int k = -classes_to_a_side; k <= classes_to_a_side; ++k) {
-    soil.materials.push_back(with_friction_times(mean, std::exp(deviation * k * class_width - deviation * deviation / 2)));
-    soil.names.push_back(name);
-  }
+  for (Index k = first; k < first + count; ++k)
+    for (Index number = 0; number < class_count; ++number) {
+      const Real factor = factor_of_class(field.settings, number);
+      soil.materials.push_back(field.settings.of_friction() ? with_friction_times(soil.materials[k], factor)
+                                                            : with_density_times(soil.materials[k], factor));
+      soil.names.push_back(name);
+    }
+}
+
+/// The integral of density over its mean, less 1, from a depth to another on the vertical of a place, m.
+Real excess_above(const SoilField& field, SoilPlace place, Real top, Real bottom)
+{
+  const Real cell = field.values->cell_size(1);
+  const auto excess_in = [&](Real from, Real to) {
+    place.depth = (from + to) / 2;
+    return (to - from) * (factor_of_class(field.settings, class_of(field.values->at(place))) - 1);
+  };
+  if (!std::isfinite(cell)) return excess_in(top, bottom);
+  Real sum = 0;
+  for (auto k = static_cast<Index>(std::floor(top / cell)); k * cell < bottom; ++k)
+    sum += excess_in(std::max(top, k * cell), std::min(bottom, (k + 1) * cell));
+  return sum;
 }
 
 /// The random fields of the materials of a body.
@@ -77,8 +103,9 @@ void add_fields(BodySoil& soil, const Case& c)
     const auto material = std::find(soil.names.begin(), soil.names.end(), field.material);
     if (material == soil.names.end()) continue;
     const auto number = static_cast<std::size_t>(material - soil.names.begin());
-    if (field.of_friction()) {
-      if (has_friction(soil.materials[number])) soil.fields.push_back({"random_field." + name, field, static_cast<Index>(number), 0});
+    if (field.by_classes()) {
+      if (field.of_density() || has_friction(soil.materials[number]))
+        soil.fields.push_back({"random_field." + name, field, static_cast<Index>(number), 0});
       continue;
     }
     const std::vector<FieldInfo> own = local_fields(soil.materials[number]);
@@ -163,10 +190,14 @@ Index BodySoil::material_index_at(const std::string& region, Real depth) const
 
 Index BodySoil::material_index_at(const std::string& region, const SoilPlace& place) const
 {
-  const Index number = material_index_at(region, place.depth);
+  const Index mean = material_index_at(region, place.depth);
+  Index first = mean, number = 0;
   for (const SoilField& field : fields)
-    if (field.material == number && field.first_class != none) return field.first_class + class_of(field.values->at(place));
-  return number;
+    if (field.material == mean && field.first_class != none) {
+      first = field.first_class;
+      number = number * class_count + class_of(field.values->at(place));
+    }
+  return first + number;
 }
 
 material::Material BodySoil::at(const std::string& region, Real depth) const
@@ -177,11 +208,11 @@ material::Material BodySoil::at(const std::string& region, Real depth) const
 material::Material BodySoil::at(const std::string& region, const SoilPlace& place) const
 {
   if (fields.empty()) return at(region, place.depth);
-  const material::Material there = at_depth(materials[material_index_at(region, place)], place.depth, vertical_stress(region, place.depth));
+  const material::Material there = at_depth(materials[material_index_at(region, place)], place.depth, vertical_stress(region, place));
   const Index number = material_index_at(region, place.depth);
   std::vector<Real> own = local_values(there);
   for (const SoilField& field : fields) {
-    if (field.material != number || field.settings.of_friction()) continue;
+    if (field.material != number || field.settings.by_classes()) continue;
     const Real deviation = field.settings.log_deviation();
     const Real over_mean = std::exp(deviation * field.values->at(place) - deviation * deviation / 2);
     own[field.place] *= over_mean;
@@ -211,6 +242,30 @@ Real BodySoil::mass_above(const std::string& region, Real depth) const
     of_layer = density(materials[layer.material]);
   }
   return sum + of_layer * (depth - top);
+}
+
+Real BodySoil::mass_above(const std::string& region, const SoilPlace& place) const
+{
+  Real sum = mass_above(region, std::max(Real(0), place.depth));
+  for (const SoilField& field : fields) {
+    if (!field.settings.of_density() || field.first_class == none) continue;
+    const auto add = [&](Index material, Real top, Real bottom) {
+      if (material == field.material && top < bottom) sum += density(materials[material]) * excess_above(field, place, top, bottom);
+    };
+    Real top = 0;
+    Index above = layers.empty() ? material_index_at(region, place.depth) : 0;
+    for (const SoilLayer& layer : layers) {
+      add(above, top, std::min(layer.top, place.depth));
+      top = layer.top, above = layer.material;
+    }
+    add(above, top, place.depth);
+  }
+  return sum;
+}
+
+Real BodySoil::vertical_stress(const std::string& region, const SoilPlace& place) const
+{
+  return vertical_stress_at_start.value_or(gravity * mass_above(region, place));
 }
 
 BodySoil soil_of_one(const material::Material& material, const std::string& name)
@@ -259,7 +314,7 @@ void make_random_fields(BodySoil& soil, const SoilPlace& lower, const SoilPlace&
         known.push_back({{sounding.x, depth, sounding.z}, std::log(sounding.value[k] / mean) / deviation + deviation / 2});
       }
     field.values = std::make_shared<const RandomField>(field.settings, field.path, lower, upper, known);
-    if (field.settings.of_friction()) add_classes(soil, field);
+    if (field.settings.by_classes()) add_classes(soil, field);
   }
 }
 

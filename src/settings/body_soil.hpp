@@ -22,10 +22,10 @@ struct SoilField {
   std::string path;  ///< "random_field.NAME"
   RandomFieldSettings settings;
   Index material;                                  ///< of the body
-  std::size_t place;                               ///< of the property among material::local_values; of a friction angle not used
+  std::size_t place;                               ///< of the property among material::local_values; of a field by classes not used
   bool with_stiffness = false;                     ///< the stiffness follows the strength, by a rigidity index
   std::shared_ptr<const RandomField> values = {};  ///< once the mesh is known (make_random_fields)
-  Index first_class = none;                        ///< of a friction angle: the first of its materials (make_random_fields)
+  Index first_class = none;                        ///< of a field by classes: the first of its materials (make_random_fields)
 };
 
 /// The materials of a body, which all have one law, and where each of them lies at the start.
@@ -41,7 +41,7 @@ struct BodySoil {
 
   /// The number of the material in a region of the mesh and at a depth (m) below the bed's surface.
   Index material_index_at(const std::string& region, Real depth) const;
-  /// The same at a place: where the friction angle varies at random that of its class.
+  /// The same at a place: where friction angle or density vary at random that of its class.
   Index material_index_at(const std::string& region, const SoilPlace& place) const;
   /// The material there, with its strength and stiffness: where they vary at random with their means.
   material::Material at(const std::string& region, Real depth) const;
@@ -51,8 +51,12 @@ struct BodySoil {
   material::Material in_fill(Index material, Real depth) const;
   /// Mass of the soil above a depth over area, kg/m2, that gives the weight: of the layers; in bodies without layers of the material there alone.
   Real mass_above(const std::string& region, Real depth) const;
+  /// The same on the vertical of a place, where the density may vary at random; none above the bed's surface.
+  Real mass_above(const std::string& region, const SoilPlace& place) const;
   /// Vertical effective stress at the start there, Pa, compression positive, of the weight above or as the input gives it.
   Real vertical_stress(const std::string& region, Real depth) const;
+  /// The same on the vertical of a place, where the density may vary at random.
+  Real vertical_stress(const std::string& region, const SoilPlace& place) const;
 };
 
 /// One material everywhere.
@@ -65,8 +69,9 @@ BodySoil soil_of(const Case& c, const bodies::BodySettings& body);
 /// Whether a law of Mohr and Coulomb has a friction angle, which may vary at random.
 bool has_friction(const material::Material& material);
 
-/// Draws the random fields of a body for the part of the bed between two places; what their soundings know has its mean by the depth. A material whose friction angle varies gets
-/// classes, materials of its name with tan(phi) a tenth of a standard deviation of its logarithm apart. Throws KeyError.
+/// Draws the random fields of a body for the part of the bed between two places; what their soundings know has its mean by the depth. A material whose friction angle or density
+/// varies gets classes, materials of its name with tan(phi) or density a tenth of a standard deviation of its logarithm apart; where both vary, each class of the first has those of the
+/// second. Throws KeyError.
 void make_random_fields(BodySoil& soil, const SoilPlace& lower, const SoilPlace& upper);
 
 /// Whether the particles of a body differ in strength, stiffness or material: then each keeps its own.

@@ -13,6 +13,7 @@ namespace {
 
 constexpr Real cells_per_length = 20;  // of a field of points
 constexpr Real most_cells = 1e8;
+constexpr Real most_numbered = 2e9;  ///< what an Index holds
 
 /// Beyond so many correlation lengths the square root of the covariance is below 1e-6 of its middle.
 Real reach_over_length(Correlation correlation)
@@ -102,6 +103,9 @@ RandomField::RandomField(const RandomFieldSettings& settings, const std::string&
           fmt::format("{}.averaging_length: the field would have more than {:.0e} cells of {:.3g} m: average it over the size of the "
                       "cells of the mesh, or take longer correlation lengths",
                       path, most_cells, grid.cell));
+    if (!(std::max(std::abs(from[d]), std::abs(to[d])) / grid.cell + 2 * reach < most_numbered))
+      throw KeyError(fmt::format("{}: cells of {:.3g} m cannot be numbered from 0 to {:.6g} m: place the origin of x and z near the mesh",
+                                 path, grid.cell, std::abs(from[d]) > std::abs(to[d]) ? from[d] : to[d]));
     grid.first = static_cast<Index>(std::floor(from[d] / grid.cell));
     grid.count = static_cast<Index>(count);
     const auto lags = static_cast<Index>(std::max(2 * reach, count));

@@ -29,10 +29,11 @@ void describe(Describe& d, RandomFieldSettings& field)
   d.value("material", field.material, {.meaning = "name of its [material.NAME]", .required = true});
   d.value("property", field.property,
           {.meaning =
-               "key of the material that varies: its strength (cohesion, undrained_strength), young_modulus, or friction_angle, whose "
-               "tangent varies; the value in the material, with gradient, profile or shansep, is the mean (of the tangent). A "
-               "rigidity_index keeps the stiffness proportional to the strength; dilation_angle stays, at most the friction angle, and "
-               "associated flow stays associated",
+               "key of the material that varies: its strength (cohesion, undrained_strength), young_modulus, friction_angle, whose tangent "
+               "varies, or density, with which unit weight and vertical stress at rest vary; the value in the material, with gradient, "
+               "profile or shansep, is the mean (of the tangent). A rigidity_index keeps the stiffness proportional to the strength; "
+               "dilation_angle stays, at most the friction angle, and associated flow stays associated; inertia_density varies with "
+               "density",
            .required = true});
   d.value("coefficient_of_variation", field.coefficient_of_variation,
           {.meaning = "coefficient of variation (standard deviation divided by mean) at a point, of a lognormal distribution",
@@ -70,8 +71,7 @@ void check_property(Describe& d, const Case& c, const std::string& path, const R
   std::vector<std::string> known;
   for (const FieldInfo& own : local_fields(material)) known.push_back(own.name);
   if (has_friction(material)) known.emplace_back(friction_word);
-  d.check(!known.empty(), key, fmt::format("the law \"{}\" has no property that varies from place to place", law_word(material)));
-  if (known.empty()) return;
+  known.emplace_back(density_word);
   d.check(std::find(known.begin(), known.end(), field.property) != known.end(), key,
           fmt::format("[material.{}] with the law \"{}\" has no property \"{}\" that varies from place to place", field.material,
                       law_word(material), field.property),
@@ -107,9 +107,8 @@ void check_random_fields(Describe& d, const Case& c)
     for (std::size_t other = 0; other < k; ++other)
       d.check(c.random_field[other].second.material != field.material || c.random_field[other].second.property != field.property, path,
               fmt::format("varies what [random_field.{}] varies", c.random_field[other].first));
-    d.check(field.sounding.empty() || !field.of_friction(), path + ".sounding",
-            "is for a strength or stiffness, in Pa: of a friction angle no "
-            "values are taken");
+    d.check(field.sounding.empty() || !field.by_classes(), path + ".sounding",
+            "is for a strength or stiffness, in Pa: of a friction angle or density no values are taken");
     for (std::size_t s = 0; s < field.sounding.size(); ++s)
       check_sounding(d, fmt::format("{}.sounding[{}]", path, s), field, field.sounding[s]);
   }

@@ -11,6 +11,7 @@ struct Case;
 
 constexpr const char* stiffness_word = "young_modulus";  ///< of the property that is no strength
 constexpr const char* friction_word = "friction_angle";  ///< of the property whose tangent varies
+constexpr const char* density_word = "density";          ///< of the property that gives the weight
 
 /// How the correlation of the logarithm falls with distance.
 enum class Correlation { markov, gaussian };
@@ -21,7 +22,7 @@ struct SoundingSettings {
   std::vector<Real> depth, value;  ///< m below the bed's surface; Pa
 };
 
-/// A strength or stiffness of a material, or the tangent of its friction angle, that varies at random about its value in the case.
+/// A strength, stiffness or density of a material, or the tangent of its friction angle, that varies at random about its value in the case.
 struct RandomFieldSettings {
   std::string material, property;
   Real coefficient_of_variation = 0;
@@ -32,6 +33,9 @@ struct RandomFieldSettings {
   std::vector<SoundingSettings> sounding;
 
   bool of_friction() const { return property == friction_word; }
+  bool of_density() const { return property == density_word; }
+  /// Whether it is cut into classes, each a material of its own.
+  bool by_classes() const { return of_friction() || of_density(); }
   /// The standard deviation of the logarithm of a lognormal variable: sqrt(ln(1 + V^2)).
   Real log_deviation() const { return std::sqrt(std::log1p(coefficient_of_variation * coefficient_of_variation)); }
   /// Along x, depth and z.

@@ -9,18 +9,21 @@ namespace berm::sanity {
 
 void do_cells_resolve_the_random_soil(const Scene& s, Findings& found)
 {
-  constexpr Real least_cells = 2, largest_usual = 1, largest_usual_friction = 0.3;
+  constexpr Real least_cells = 2, largest_usual = 1, largest_usual_by_classes = 0.3;
   const Index rigid = settings::main_rigid(s.c);
   const Real cell = rigid == none || !s.cell_size ? nan : s.cell_size(rigid, {});
   for (const auto& [name, field] : s.c.random_field) {
     const std::string path = "random_field." + name;
-    if (field.of_friction() && field.coefficient_of_variation > largest_usual_friction)
+    if (field.by_classes() && field.coefficient_of_variation > largest_usual_by_classes)
       found.warn(path + ".coefficient_of_variation",
-                 fmt::format("is {:.3g}: tan(phi) of sand has 0.05 to 0.15; is it that of the strength?", field.coefficient_of_variation));
+                 fmt::format("is {:.3g}: {}; is it that of the strength?", field.coefficient_of_variation,
+                             field.of_friction() ? "tan(phi) of sand has 0.05 to 0.15" : "unit weight has 0.03 to 0.1"));
     else if (field.coefficient_of_variation > largest_usual)
       found.warn(path + ".coefficient_of_variation",
                  fmt::format("is {:.3g}: undrained strength has 0.1 to 0.5, stiffness 0.2 to 0.6; is it a ratio, not per cent?",
                              field.coefficient_of_variation));
+    if (field.of_density() && !(s.gravity > 0))
+      found.warn(path + ".property", "without gravity a density is no weight: give the case a gravity");
     Real shortest = infinity;
     for (const std::optional<Real>& length : field.lengths())
       if (length) shortest = std::min(shortest, *length);

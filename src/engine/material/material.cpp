@@ -92,6 +92,17 @@ Material with_inertia_density(Material material, Real density)
   return material;
 }
 
+Material with_density_times(Material material, Real factor)
+{
+  visit(
+      [&](auto& law) {
+        law.density *= factor;
+        if (law.inertia_density) *law.inertia_density *= factor;
+      },
+      material);
+  return material;
+}
+
 Real p_wave_modulus(const Material& material)
 {
   return p_wave_modulus(elasticity(material)) + water_stiffness(material);

@@ -74,6 +74,9 @@ Real inertia_density(const Material& material);
 /// The same soil with another density that gives the inertia, kg/m3.
 Material with_inertia_density(Material material, Real density);
 
+/// The same soil that is so many times as heavy, its inertia too.
+Material with_density_times(Material material, Real factor);
+
 /// Elastic moduli, of effective stress.
 Elasticity elasticity(const Material& material);
 YoungPoisson young_poisson(const Material& material);

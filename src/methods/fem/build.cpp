@@ -64,12 +64,10 @@ void set_first_stress(const settings::Case& c, const FemModel& model, FemState& 
     for (int q = 0; q < triangle_points; ++q) {
       const Index body = model.mesh.body[cell];
       const settings::BodySoil& soil = model.soil_of(cell);
-      const Real depth = model.place[cell][q].depth;
-      refuse_no_strength(soil, model.region_of(cell), depth, model.model.bodies[body].name);
+      const settings::SoilPlace& place = model.place[cell][q];
+      refuse_no_strength(soil, model.region_of(cell), place.depth, model.model.bodies[body].name);
       state.points[cell][q].stress =
-          soil.layers.empty()
-              ? bodies::initial_stress<2>(c.body[body].second, model.density[cell][q] * gravity, depth)
-              : bodies::stress_at_rest<2>(c.body[body].second, soil.mass_above("", std::max(Real(0), depth)) * gravity, depth);
+          bodies::stress_at_rest<2>(c.body[body].second, gravity * soil.mass_above(model.region_of(cell), place), place.depth);
     }
 }
 

@@ -231,7 +231,7 @@ void fill_shapes(const NodeField<Vec<2>>& was_at, FemModel& model)
       if (model.model.mesh.metric == mesh::Metric::axisymmetric) turn_around_axis(shape, position_of(shape, nodes));
       model.place[cell][q] = model.model.soil_place(position_of(shape, first));
       const settings::BodySoil& soil = model.soil_of(cell);
-      model.density[cell][q] = density(soil.materials[soil.material_index_at(model.region_of(cell), model.place[cell][q].depth)]);
+      model.density[cell][q] = density(soil.materials[soil.material_index_at(model.region_of(cell), model.place[cell][q])]);
     }
   }
   for (Real& size : model.cell_size) size = std::sqrt(size);

@@ -23,7 +23,7 @@ SymTensor<2> strain_of_unknown(const ShapeAtPoint& shape, int k)
 void load_by_gravity(const settings::Case& c, const FemModel& model, FemState& state)
 {
   const auto ground_at = [&](Index cell, int q) {
-    const Real depth = model.place[cell][q].depth, above = model.soil_of(cell).vertical_stress(model.region_of(cell), depth);
+    const Real depth = model.place[cell][q].depth, above = model.soil_of(cell).vertical_stress(model.region_of(cell), model.place[cell][q]);
     return problem::ground_elasticity(model.soil_at(cell, q), *c.body[model.mesh.body[cell]].second.k0_at(depth, above));
   };
   std::vector<char> prescribed(model.unknowns(), 0);

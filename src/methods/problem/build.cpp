@@ -54,7 +54,7 @@ bodies::SoilAtPoint soil_at(const Model<dim>& model, const Body<dim>& body, Inde
   const settings::SoilPlace place = model.soil_place(x);
   const Real depth = place.depth, gravity = -model.axes.sign * model.gravity[model.axes.up];
   refuse_no_strength(body.soil, region, depth, body.name);
-  return {inertia_density(body.soil.at(region, depth)), gravity * body.soil.mass_above(region, std::max(Real(0), depth)), depth,
+  return {inertia_density(body.soil.at(region, place)), gravity * body.soil.mass_above(region, place), depth,
           local_values(body.soil, region, place)};
 }
 

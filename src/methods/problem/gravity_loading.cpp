@@ -157,7 +157,7 @@ private:
   }
   Real stress_above(const settings::BodySoil& soil, Index cell) const
   {
-    return soil.vertical_stress(model_.mesh.region_names[model_.mesh.region[cell]], depth_of(cell));
+    return soil.vertical_stress(model_.mesh.region_names[model_.mesh.region[cell]], model_.soil_place(model_.mesh.centroid(cell)));
   }
   Real depth_of(Index cell) const { return model_.soil_depth(model_.mesh.centroid(cell)); }
 

@@ -239,7 +239,7 @@ void set_pore_pressure_ratio(const fem::FemModel& model, Frame<2>& frame)
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
     if (pore_pressure_index(model.soil_of(cell).materials.front()) == none) continue;
     for (int q = 0; q < fem::triangle_points; ++q) {
-      const Real above = overburden(model.model, model.mesh.body[cell], model.region_of(cell), model.place[cell][q].depth);
+      const Real above = overburden(model.model, model.mesh.body[cell], model.region_of(cell), model.place[cell][q]);
       for (const Index node : model.mesh.nodes[cell]) at_rest[node].sum += above, ++at_rest[node].count;
     }
   }

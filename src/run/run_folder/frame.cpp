@@ -71,9 +71,9 @@ FieldInfo water_flux_field()
 }
 
 template <int dim>
-Real overburden(const problem::Model<dim>& model, Index body, const std::string& region, Real depth)
+Real overburden(const problem::Model<dim>& model, Index body, const std::string& region, const settings::SoilPlace& place)
 {
-  return model.gravity.norm() * model.bodies[body].soil.mass_above(region, std::max(Real(0), depth));
+  return model.gravity.norm() * model.bodies[body].soil.mass_above(region, place);
 }
 
 bool is_common_field(const std::string& name)
@@ -114,7 +114,7 @@ std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>& model, cons
   template struct Frame<dim>;                                                                                                              \
   template std::vector<FieldInfo> effective_stress_fields<dim>();                                                                          \
   template FieldInfo water_flux_field<dim>();                                                                                              \
-  template Real overburden(const problem::Model<dim>&, Index, const std::string&, Real);                                                   \
+  template Real overburden(const problem::Model<dim>&, Index, const std::string&, const settings::SoilPlace&);                             \
   template std::vector<FieldInfo> common_fields<dim>(const std::string&);                                                                  \
   template std::size_t bytes_of_point<dim>(int);                                                                                           \
   template std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>&, const std::vector<bodies::RigidState<dim>>&);

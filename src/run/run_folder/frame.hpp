@@ -72,7 +72,7 @@ FieldInfo water_flux_field();
 
 /// The effective vertical stress at rest, Pa, compression positive: the weight of the soil of a body above a depth, m, at the start.
 template <int dim>
-Real overburden(const problem::Model<dim>& model, Index body, const std::string& region, Real depth);
+Real overburden(const problem::Model<dim>& model, Index body, const std::string& region, const settings::SoilPlace& place);
 
 /// Whether every frame has a field of that name; another one belongs to a law or a method.
 bool is_common_field(const std::string& name);

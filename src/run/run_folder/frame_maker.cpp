@@ -185,7 +185,7 @@ Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state, Frame<dim> ol
       if (ratio == nullptr || pressure == none) return;
       const Known& known = known_[body][p.id];
       const std::string& region = model_.mesh.region_names[model_.mesh.region[known.first_cell]];
-      const Real at_rest = overburden(model_, static_cast<Index>(body), region, model_.soil_depth(known.first));
+      const Real at_rest = overburden(model_, static_cast<Index>(body), region, model_.soil_place(known.first));
       if (at_rest > 0) ratio->at(k) = p.extra[pressure] / at_rest;
     });
     add_strains(particles, body, point, frame);

@@ -42,7 +42,7 @@ TEST(RandomFriction, is_refused_where_there_is_no_friction_angle_or_a_value_is_k
   const std::pair<std::vector<std::string>, const char*> wrong[] = {
       {{"material.sand.friction_angle=0", "material.sand.dilation_angle=0"}, "has no property \"friction_angle\" that varies"},
       {{"random_field.phi.property=\"friction\""}, "did you mean \"friction_angle\""},
-      {{"random_field.phi.sounding=[{x=0, depth=[1], value=[1]}]"}, "of a friction angle no values are taken"},
+      {{"random_field.phi.sounding=[{x=0, depth=[1], value=[1]}]"}, "of a friction angle or density no values are taken"},
       {{"random_field.more={material=\"sand\", property=\"friction_angle\", coefficient_of_variation=0.1, correlation_length_x=1}"},
        "varies what [random_field.phi] varies"}};
   for (const auto& [overrides, says] : wrong)

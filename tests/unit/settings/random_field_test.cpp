@@ -2,6 +2,7 @@
 #include "settings/random_field.hpp"
 
 #include "os/error.hpp"
+#include "samples/error_of.hpp"
 
 #include <gtest/gtest.h>
 #include <omp.h>
@@ -212,6 +213,8 @@ TEST(RandomField, refuses_what_it_cannot_meet)
   EXPECT_NE(message_of(smooth, rough).find("contradict the correlation"), std::string::npos);
   EXPECT_EQ(message_of(field_of(1, 1), rough), "");
   EXPECT_NE(message_of(field_of(1e-3, 1e-3), {}).find("random_field.su.averaging_length"), std::string::npos);
+  const auto far_off = [] { RandomField(field_of(1e-2, 1), "random_field.su", {6.1e6, 0}, {6.1e6 + 1, 2}); };
+  EXPECT_NE(test::error_of<KeyError>(far_off).find("place the origin of x and z near the mesh"), std::string::npos);
 }
 
 }  // namespace
