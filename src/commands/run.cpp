@@ -14,6 +14,7 @@
 #include "os/mesh_cache.hpp"
 #include "run_folder/summary_file.hpp"
 #include "sandbox/sandbox.hpp"
+#include "simulation/longer_mesh.hpp"
 #include "simulation/run_of_ranks.hpp"
 #include "simulation/run_place.hpp"
 #include "structures/after_run/after_run.hpp"
@@ -165,9 +166,12 @@ Outcome resume(const std::filesystem::path& folder, const CaseOptions& options)
 {
   std::optional<simulation::RunRequest> request = simulation::run_to_resume(folder);
   const bool finished = !request;
+  if (finished && !options.overrides.empty())
+    throw InputError(fmt::format("--set: the run in {} is finished: only an unfinished one goes on, on a longer mesh", folder.string()));
   if (finished) fmt::print("the run in {} is finished\n", folder.string());
   if (finished && !options.uncertainty) return Outcome::done;
   if (finished) request = simulation::finished_run(folder);
+  if (!options.overrides.empty()) request = simulation::on_longer_mesh(*request, options.overrides);
   options.refuse_programs(*request);
   options.enter_sandbox(brings_libraries(*request), {folder});
   if (options.uncertainty) uncertainty::try_to_plan(*request);
@@ -200,10 +204,11 @@ Command add_run(CLI::App& program)
   app->add_option("-o,--output", options->output,
                   "run folder; of several cases: the folder that theirs go into (default: out/FOLDER/NAME of FOLDER/NAME.toml)");
   CLI::Option* force = app->add_flag("--force", options->force, "replace what earlier runs left in the folder");
-  app->add_option("--resume", options->unfinished, "continue the run in this folder from its last checkpoint, instead of running a CASE")
+  app->add_option("--resume", options->unfinished,
+                  "continue the run in this folder from its last checkpoint, instead of running a CASE; with --set mesh.near_right=... "
+                  "(near_left, left, length) on a longer mesh")
       ->excludes(cases)
       ->excludes("--runner")
-      ->excludes("--set")
       ->excludes("--output")
       ->excludes(force);
   app->add_flag(

@@ -50,7 +50,7 @@ inline const std::vector<SenselessInput>& senseless_soils()
        {"random_field.gamma.property", "without gravity", "give the case a gravity"},
        {"gravity=[0, 0]",
         "random_field.gamma={material=\"sand\", property=\"density\", coefficient_of_variation=0.05, correlation_length_x=\"1 m\"}"},
-       "",
+       "k0 = 0.43",
        ""},
       {"undrained_norsand_with_bands",
        "bed",

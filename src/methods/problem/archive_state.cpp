@@ -225,8 +225,11 @@ void archive(Archive& k, const Model<dim>& model, State<dim>& state)
   for (std::size_t b = 0; b < state.held_forces.size(); ++b) archive(k, fmt::format("held_forces_{}", b), state.held_forces[b]);
   for (std::size_t b = 0; b < state.pressure_sums.size(); ++b) archive(k, fmt::format("pressure_sums_{}", b), state.pressure_sums[b]);
   if (!model.earthworks.empty()) k.table("earthworks", [&] { archive_earthworks(k, model, state); });
+  k("lengthened", state.lengthened);
+  for (std::size_t b = 0; state.lengthened && b < state.particles.size(); ++b) k(fmt::format("numbered_{}", b), state.numbered[b]);
   for (std::size_t b = 0; b < state.particles.size(); ++b) {
-    const std::optional<Index> numbered = model.earthworks.empty() ? std::nullopt : std::optional<Index>(state.numbered[b]);
+    const bool any = state.lengthened || !model.earthworks.empty();
+    const std::optional<Index> numbered = any ? std::optional<Index>(state.numbered[b]) : std::nullopt;
     k.table(fmt::format("body_{}", b), [&] { state.particles[b].archive(k, numbered); });
   }
 }

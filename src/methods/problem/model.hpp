@@ -202,6 +202,7 @@ struct State {
   Real max_dt = infinity;                         ///< s, which the caller allows
   std::vector<bodies::Particles<dim>> particles;  ///< by body
   std::vector<std::int32_t> numbered;             ///< by body: particles that have got a number so far
+  bool lengthened = false;                        ///< carried to a longer mesh (problem/lengthen.hpp): particles are not those of the start
   std::vector<EarthworkState<dim>> earthworks;    ///< by Model::earthworks
   std::vector<NodeField<Vec<dim>>> flux;          ///< by body, at the nodes: of water against the soil (Darcy), m/s; empty where none flows
   std::vector<CellField<Real>>

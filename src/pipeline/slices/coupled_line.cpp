@@ -10,6 +10,7 @@
 #include "mpm/time_step.hpp"
 #include "os/error.hpp"
 #include "problem/archive_state.hpp"
+#include "problem/lengthen.hpp"
 #include "problem/stages.hpp"
 #include "slices/line_on_springs.hpp"
 
@@ -224,6 +225,26 @@ void CoupledLine::step(problem::State<2>& first, mpm::Workspace<2>& workspace, c
     });
   });
   share_slices(first, fault);
+}
+
+void CoupledLine::lengthen(const CoupledLine& before, const settings::Case& c, const problem::State<2>& first,
+                           const problem::State<2>& start)
+{
+  coupled_ = before.coupled_;
+  if (!coupled_) return;
+  make_others(first);
+  begin_stage(first);
+  state_ = before.state_;
+  is_spring_ = before.is_spring_;
+  slice_steps_ = before.slice_steps_;
+  laid_embedment_ = before.laid_embedment_;
+  forces_ = before.forces_;
+  for (std::size_t s = 1; s < count(); ++s) {
+    const problem::State<2>& laid = soils_[s].laid == nullptr ? start : *soils_[s].laid;
+    *others_[s - 1] = problem::lengthen(c, before.model_of(s), before.slice(s), model_of(s), laid).state;
+  }
+  for (std::size_t s = 1; s < count(); ++s) mpm::set_inactive_cells(model_of(s), *others_[s - 1]);
+  begin_soils();
 }
 
 void CoupledLine::archive(Archive& k, const problem::State<2>& first)

@@ -54,6 +54,8 @@ public:
 
   /// Without the first slice, which must have been read before.
   void archive(Archive& k, const problem::State<2>& first);
+  /// Becomes the line of a shorter mesh of the same case, which has been read. `first`: of the first slice, carried to this mesh; `start`: as it was laid anew here.
+  void lengthen(const CoupledLine& before, const settings::Case& c, const problem::State<2>& first, const problem::State<2>& start);
   /// The rank that steps the soil of slice k.
   static int rank_of(std::size_t k);
   /// The soil of the slices k > 0 that a rank steps.

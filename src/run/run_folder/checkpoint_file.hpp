@@ -9,7 +9,7 @@
 namespace berm::run_folder {
 
 /// Version of the checkpoint format: changes whenever the contents do.
-constexpr int checkpoint_format = 19;
+constexpr int checkpoint_format = 20;
 
 /// Archives the contents of a checkpoint.
 using Contents = std::function<void(Archive&)>;

@@ -280,12 +280,48 @@ void FrameMaker<dim>::archive_zeros(Archive& k, const std::string& ending, std::
 }
 
 template <int dim>
-void FrameMaker<dim>::archive(Archive& k)
+Index FrameMaker<dim>::cell_at(const Vec<dim>& x, Index near) const
+{
+  return locate(model_.mesh, x, near == none ? 0 : near).cell;
+}
+
+template <int dim>
+void FrameMaker<dim>::lengthen(const FrameMaker& before, const problem::LengthenedBed<dim>& bed)
+{
+  for (std::size_t body = 0; body < known_.size(); ++body) {
+    const std::vector<problem::Parent<dim>>& parents = bed.parents[body];
+    known_[body].assign(parents.size(), Known());
+    Index near = 0;
+    for (std::size_t id = 0; id < parents.size(); ++id) {
+      if (parents[id].id == none) continue;
+      const Known& was = before.known_[body][static_cast<std::size_t>(parents[id].id)];
+      const Vec<dim> first = was.first + parents[id].offset;
+      known_[body][id] = {first, was.last + parents[id].offset, near = cell_at(first, near)};
+    }
+    zeros_[body].clear();
+    meet_new(bed.state.particles[body], body);  // those of the added length
+    if (before.zeros_[body].empty()) continue;
+    std::vector<Zero> zeros;
+    for (std::size_t id = 0; id < parents.size(); ++id) {
+      zeros.push_back(zero_of(body, id));
+      if (parents[id].id == none) continue;
+      const Vec<dim> place = before.zeros_[body][static_cast<std::size_t>(parents[id].id)].place + parents[id].offset;
+      zeros.back() = {place, cell_at(place, zeros.back().cell)};
+    }
+    zeros_[body] = std::move(zeros);
+  }
+}
+
+template <int dim>
+void FrameMaker<dim>::archive(Archive& k, bool lengthened)
 {
   for (std::size_t body = 0; body < known_.size(); ++body) {
     std::vector<Known>& known = known_[body];
     const std::string ending = "_of_body_" + std::to_string(body);
-    if (!model_.earthworks.empty()) archive_new(k, ending, at_start_[body], known);
+    if (lengthened)
+      archive_new(k, ending, 0, known);
+    else if (!model_.earthworks.empty())
+      archive_new(k, ending, at_start_[body], known);
     for (int d = 0; d < dim; ++d) {
       std::vector<Real> places;
       for (const Known& particle : known) places.push_back(particle.last[d]);

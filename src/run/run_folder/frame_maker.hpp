@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/archive.hpp"
+#include "problem/lengthen.hpp"
 #include "run_folder/frame.hpp"
 
 namespace berm::run_folder {
@@ -20,9 +21,12 @@ public:
   /// From now on displacements, and their strains, count from here; of particles that come later from the first frame that they are in.
   void zero_displacements(const problem::State<dim>& state);
 
+  /// Takes what is remembered of particles on the mesh before; what is remembered of the start on this one is that of the added length.
+  void lengthen(const FrameMaker& before, const problem::LengthenedBed<dim>& bed);
+
   /// What the increments of the next frame count from, and where particles were first that came later; where displacements count from, once that is not the start. Where the particles were at the start is not kept: a
-  /// resumed run makes its FrameMaker at the same start.
-  void archive(Archive& k);
+  /// resumed run makes its FrameMaker at the same start, unless the mesh was lengthened.
+  void archive(Archive& k, bool lengthened);
 
 private:
   /// What is remembered of a particle.
@@ -41,6 +45,7 @@ private:
   Zero zero_of(std::size_t body, std::size_t id) const;
   void archive_zeros(Archive& k, const std::string& ending, std::size_t body);
   void archive_new(Archive& k, const std::string& ending, std::size_t at_start, std::vector<Known>& known) const;
+  Index cell_at(const Vec<dim>& x, Index near) const;
   void add_strains(const bodies::Particles<dim>& particles, std::size_t body, const std::vector<Index>& point, Frame<dim>& frame);
 
   const problem::Model<dim>& model_;

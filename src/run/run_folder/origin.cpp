@@ -84,13 +84,36 @@ RunSession this_session()
           fmt::format("{}, compiler {}, vector unit {}", optimized, __VERSION__, vector_unit()), hashes_of(io::program_files("libberm"))};
 }
 
-void note_origin(const fs::path& run_folder, const std::string& case_file, const std::vector<std::string>& set, const FileHashes& named)
+namespace {
+
+FileHashes hashes_of_inputs(const fs::path& folder)
 {
   std::vector<fs::path> inputs;
   std::error_code error;
   for (const char* name : input_names)
-    if (const fs::path file = run_folder / name; fs::exists(file, error)) inputs.push_back(file);
-  FileHashes hashes = hashes_of(inputs);
+    if (const fs::path file = folder / name; fs::exists(file, error)) inputs.push_back(file);
+  return hashes_of(inputs);
+}
+
+}  // namespace
+
+void note_change(const fs::path& run_folder, const fs::path& changed, const std::vector<std::string>& set, const FileHashes& named)
+{
+  Origin origin = read_origin(run_folder).value_or(Origin());
+  FileHashes hashes = hashes_of_inputs(changed);
+  hashes.insert(hashes.end(), named.begin(), named.end());
+  for (const auto& [name, hash] : hashes) {
+    const auto same =
+        std::find_if(origin.input.begin(), origin.input.end(), [&, &name = name](const auto& old) { return old.first == name; });
+    if (same != origin.input.end()) same->second = hash;
+  }
+  for (const std::string& change : set) origin.set.push_back(one_line(change));
+  write(changed, origin);
+}
+
+void note_origin(const fs::path& run_folder, const std::string& case_file, const std::vector<std::string>& set, const FileHashes& named)
+{
+  FileHashes hashes = hashes_of_inputs(run_folder);
   hashes.insert(hashes.end(), named.begin(), named.end());
   for (auto& entry : hashes) entry.first = one_line(entry.first);
   std::vector<std::string> changes;

@@ -44,6 +44,9 @@ RunSession this_session();
 void note_origin(const std::filesystem::path& run_folder, const std::string& case_file, const std::vector<std::string>& set,
                  const FileHashes& named = {});
 void note_resumption(const std::filesystem::path& run_folder);
+/// Notes for a run that goes on with other files what was changed in its case, and the files that there are in `changed`, into which origin.json goes.
+void note_change(const std::filesystem::path& run_folder, const std::filesystem::path& changed, const std::vector<std::string>& set,
+                 const FileHashes& named);
 
 /// What origin.json of a run says; empty where it is not there (a run of an earlier version). Throws RunError where it is damaged.
 std::optional<Origin> read_origin(const std::filesystem::path& run_folder);

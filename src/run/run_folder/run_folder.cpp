@@ -154,6 +154,22 @@ void RunFolder::begin(const std::function<void(const fs::path&)>& give) const
   move_start(path_);
 }
 
+void RunFolder::change(const std::function<void(const fs::path&)>& give) const
+{
+  const fs::path change = io::part_of(path_ / "change");
+  std::error_code ignored;
+  fs::remove_all(change, ignored);  // of one that was cut short
+  try {
+    give(io::make_inner_folder(path_, change.filename()));
+    sync_names(change, change);
+    move(change, start_in(path_));
+  } catch (...) {
+    fs::remove_all(change, ignored);
+    throw;
+  }
+  move_start(path_);
+}
+
 void finish_start(const fs::path& run_folder)
 {
   std::error_code error;

@@ -22,6 +22,8 @@ public:
   /// Has give(FOLDER) make what the run is given, resolved.toml among it, in a folder inside, and moves it from there, resolved.toml first: before this the
   /// folder holds no run, from there on one that has begun.
   void begin(const std::function<void(const std::filesystem::path&)>& give) const;
+  /// The same of a run that goes on: has give(FOLDER) make the files that replace those of their names. Where the program ends while they are moved, finish_start() moves the rest.
+  void change(const std::function<void(const std::filesystem::path&)>& give) const;
 
   const std::filesystem::path& path() const { return path_; }
   /// The path of a file in the folder, "history.csv" or "frames/mesh.vtu".

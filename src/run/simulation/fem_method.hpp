@@ -41,6 +41,7 @@ public:
   bool soil_changed() const { return false; }
   /// False: a checkpoint holds the mesh that the state is of.
   bool keeps_mesh() const { return !problem_.model.settings.large_deformation; }
+  const mesh::Mesh<2>& mesh_of_checkpoint() const { return model().mesh; }
   /// A row for each increment.
   Real history_interval() const { return 0; }
   void add_row(run_folder::HistoryFile& file);

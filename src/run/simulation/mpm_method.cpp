@@ -12,6 +12,7 @@
 #include "os/error.hpp"
 #include "problem/archive_state.hpp"
 #include "problem/equilibrium.hpp"
+#include "problem/lengthen.hpp"
 #include "problem/safety.hpp"
 #include "problem/stages.hpp"
 #include "run_folder/checkpoint_file.hpp"
@@ -152,6 +153,9 @@ void MpmMethod<d>::refuse_other_problem() const
 template <int d>
 void MpmMethod<d>::begin(bool)
 {
+  before_ = nullptr;
+  own_before_.reset();
+  start_.reset();
   refuse_other_problem();
   mpm::set_inactive_cells(model(), problem_.state);
   if (!case_.pipeline) mpm::divide(model(), problem_.state);  // of a pipeline ranks have whole slices
@@ -406,7 +410,10 @@ void MpmMethod<d>::limit_time_step(Real dt)
 template <int d>
 void MpmMethod<d>::archive(Archive& k)
 {
-  k.table("increments", [&] { frame_maker_.archive(k); });
+  MpmMethod& of = before_ != nullptr && k.reads() ? *before_ : *this;
+  k.table("state", [&] { problem::archive(k, of.model(), of.problem_.state); });
+  k.table("increments", [&] { of.frame_maker_.archive(k, of.state().lengthened); });
+  if (&of != this) take_from_shorter();
   k.table("recorder", [&] { recorder_.archive(k); });
   k.table("cells", [&] { cells_.archive(k); });
   k("equilibrium", equilibrium_);
@@ -418,7 +425,33 @@ void MpmMethod<d>::archive(Archive& k)
       drift_.archive(k);
       places_.archive(k);
     });
-  k.table("state", [&] { problem::archive(k, model(), problem_.state); });
+  if (!state().lengthened) return;
+  counts_.particles = 0;
+  for (const bodies::Particles<d>& particles : state().particles) counts_.particles += particles.size();
+}
+
+template <int d>
+void MpmMethod<d>::lengthen(MpmMethod& before)
+{
+  problem::refuse_to_lengthen(model());
+  if (trial_) throw KeyError("safety: a trial of the factor of safety cannot be carried to a longer mesh: begin a new run on it");
+  before_ = &before;
+  start_ = state();
+}
+
+template <int d>
+void MpmMethod<d>::lengthen(std::unique_ptr<MpmMethod> before)
+{
+  own_before_ = std::move(before);
+  lengthen(*own_before_);
+}
+
+template <int d>
+void MpmMethod<d>::take_from_shorter()
+{
+  problem::LengthenedBed<d> bed = problem::lengthen(case_, before_->model(), before_->state(), model(), *start_);
+  frame_maker_.lengthen(before_->frame_maker_, bed);
+  problem_.state = std::move(bed.state);
 }
 
 template <int d>

@@ -69,6 +69,13 @@ public:
   /// No step is longer from now on, s.
   void limit_time_step(Real dt);
   void archive(Archive& k);
+  /// The checkpoint that is read before begin() is of this run on a shorter mesh of the same case. Throws KeyError where that cannot be carried to the longer one.
+  void lengthen(std::unique_ptr<MpmMethod> before);
+  void lengthen(MpmMethod& before);
+  /// The mesh of the checkpoint that is read before begin().
+  const mesh::Mesh<d>& mesh_of_checkpoint() const { return before_ == nullptr ? model().mesh : before_->model().mesh; }
+  /// The state before that checkpoint was read, where it is of a shorter mesh.
+  const std::optional<problem::State<d>>& start() const { return start_; }
   /// The state of all ranks, on the first of them, while this lives.
   mpm::WholeState<d> whole_state();
 
@@ -99,6 +106,7 @@ private:
   };
   Pace measure_pace();
   void enter_next_stage();
+  void take_from_shorter();
   Real expected_steps_time() const;
   void refuse_other_problem() const;
   void divide_anew();
@@ -131,9 +139,13 @@ private:
   CellWatch<d> cells_;
   Real equilibrium_ = nan;
   Real beyond_force_limit_ = nan;  ///< the largest of all stages, over the limit
-  std::optional<Trial> trial_;     ///< of the factor of safety
-  WindowMeans drift_;              ///< of its movement
-  ParticlePlaces<d> places_;       ///< that its movement counts from
+  // Until begin(): on the shorter mesh.
+  MpmMethod* before_ = nullptr;
+  std::unique_ptr<MpmMethod> own_before_;
+  std::optional<problem::State<d>> start_;
+  std::optional<Trial> trial_;  ///< of the factor of safety
+  WindowMeans drift_;           ///< of its movement
+  ParticlePlaces<d> places_;    ///< that its movement counts from
 };
 
 }  // namespace berm::simulation

@@ -31,6 +31,8 @@ OpenRun<Method>::OpenRun(const RunRequest& request, Context& context)
       place_(std::in_place, request_, context, scratch_, fmt::format("{}, {}", method_.size_words(), words_of_workers(context)), warnings_),
       run_(request_, context, method_, place_->folder(), place_->log(), warnings_)
 {
+  if constexpr (!std::is_same_v<Method, FemMethod>)
+    if (request_.shorter) method_.lengthen(std::make_unique<Method>(*request_.shorter, io::ScratchFolder()));
 }
 
 /// An error in writing the results of a run that failed is only logged.
@@ -59,7 +61,10 @@ auto OpenRun<Method>::leaving_results(const Act& act)
 template <class Method>
 void OpenRun<Method>::begin()
 {
-  leaving_results([&] { run_.begin(); });
+  leaving_results([&] {
+    run_.begin();
+    if (request_.shorter) place_->lengthen(request_, scratch_, [&](const std::filesystem::path& folder) { run_.keep_in(folder); });
+  });
 }
 
 template <class Method>

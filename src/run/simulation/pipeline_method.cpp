@@ -76,6 +76,24 @@ void add_shape(run_folder::Row& row, const slices::LineOfCase& of, const beam::S
 
 }  // namespace
 
+namespace {
+
+/// Rows of a number by column on other columns: that of the column a middle lies in, 0 beyond them.
+std::vector<Real> on_columns(const slices::SoilColumns& columns, const slices::SoilColumns& before, const std::vector<Real>& rows)
+{
+  const std::vector<Real>& from = before.middles();
+  const Real width = from[1] - from[0];
+  std::vector<Real> numbers;
+  for (std::size_t row = 0; row < rows.size(); row += from.size())
+    for (const Real x : columns.middles()) {
+      const auto c = static_cast<Index>(std::floor((x - from[0]) / width + Real(0.5)));
+      numbers.push_back(c < 0 || c >= static_cast<Index>(from.size()) ? 0 : rows[row + static_cast<std::size_t>(c)]);
+    }
+  return numbers;
+}
+
+}  // namespace
+
 PipelineMethod::PipelineMethod(const RunRequest& request, const io::ScratchFolder& scratch)
     : folder_(request.folder),
       first_(request, scratch),
@@ -208,11 +226,25 @@ void PipelineMethod::drive(int freedom, bool by_force, Real value)
   first_.drive(freedom, by_force, value);
 }
 
+void PipelineMethod::lengthen(std::unique_ptr<PipelineMethod> before)
+{
+  first_.lengthen(before->first_);
+  before_ = std::move(before);
+}
+
+void PipelineMethod::begin(bool at_start)
+{
+  first_.begin(at_start);
+  before_.reset();
+}
+
 void PipelineMethod::archive(Archive& k)
 {
+  PipelineMethod& of = before_ != nullptr && k.reads() ? *before_ : *this;
   first_.archive(k);
   k.table("pipeline", [&] {
-    line_.archive(k, state());
+    of.line_.archive(k, of.state());
+    if (&of != this) line_.lengthen(of.line_, first_.case_of_run(), state(), *first_.start());
     if (springs_) k.table("springs", [&] { springs_->archive(k); });
     k("hung_at", hung_at_);
     k("last_row", last_row_);
@@ -226,6 +258,7 @@ void PipelineMethod::archive(Archive& k)
     k("berms", berms_);
     k("first_frame_of_berms", first_frame_of_berms_);
     if (!k.reads()) return;
+    if (&of != this) berms_ = on_columns(columns_, of.columns_, berms_);
     if (shapes_.size() != stages_.size() * static_cast<std::size_t>(line_.of_case().line.nodes()) * numbers_of_node)
       k.refuse("the shapes of the line are incomplete");
   });

@@ -21,7 +21,7 @@ public:
   const MpmRecorder<2>& recorder() const { return first_.recorder(); }
   sanity::Scene scene(const RunRequest& request, int threads) { return first_.scene(request, threads); }
   Real expected_wall_time() { return first_.expected_wall_time(); }
-  void begin(bool at_start) { first_.begin(at_start); }
+  void begin(bool at_start);
   bool soil_changed() const { return first_.soil_changed(); }
   bool keeps_mesh() const { return true; }
   Real history_interval() const { return first_.history_interval(); }
@@ -44,6 +44,9 @@ public:
   /// The line drives the slices: throws InputError in stages of kind pipeline.
   void drive(int freedom, bool by_force, Real value);
   void archive(Archive& k);
+  /// As MpmMethod::lengthen.
+  void lengthen(std::unique_ptr<PipelineMethod> before);
+  const mesh::Mesh<2>& mesh_of_checkpoint() const { return first_.mesh_of_checkpoint(); }
   /// Of all slices, on the first rank.
   mpm::WholeState<2> whole_state();
 
@@ -65,6 +68,7 @@ private:
   bool on_line() const { return model().stages[state().stage.index].kind == settings::StageKind::pipeline; }
 
   std::filesystem::path folder_;
+  std::unique_ptr<PipelineMethod> before_;  ///< until begin(): on the shorter mesh
   MpmMethod<2> first_;
   slices::CoupledLine line_;
   std::optional<slices::SpringsBeside> springs_;

@@ -97,6 +97,14 @@ void Run<Method>::keep()
 }
 
 template <class Method>
+void Run<Method>::keep_in(const std::filesystem::path& run_folder)
+{
+  history_bytes_ = history_->bytes();
+  history_->sync();
+  run_folder::CheckpointFolder(checkpoints_in(run_folder)).begin(state().step, [&](Archive& k) { archive(k); })();
+}
+
+template <class Method>
 void Run<Method>::finish_files()
 {
   const RunClock::In part(clock_.parts().frames);
@@ -176,9 +184,10 @@ void Run<Method>::write_checkpoint()
 template <class Method>
 void Run<Method>::archive(Archive& k)
 {
-  const std::string resolved = input::resolved_toml(request_.settings);
+  const bool of_shorter = request_.shorter != nullptr && k.reads();
+  const std::string resolved = input::resolved_toml(of_shorter ? request_.shorter->settings : request_.settings);
   archive_same(k, "case", std::string(input::without_report(resolved)), "it is of another case than resolved.toml");
-  if (method_.keeps_mesh()) archive_same_mesh(k, model().mesh);
+  if (method_.keeps_mesh()) archive_same_mesh(k, k.reads() ? method_.mesh_of_checkpoint() : model().mesh);
   k("vector_unit", unit_);
   k.table("history", [&] { archive_history(k, history_path(), history_bytes_); });
   k.table("frames", [&] { frames_.archive(k); });

@@ -30,6 +30,8 @@ public:
   bool advance();
   /// Writes a checkpoint of this moment. Throws RunError where it cannot be written.
   void keep();
+  /// The same into another run folder, where the run that was resumed is not of this one's mesh.
+  void keep_in(const std::filesystem::path& run_folder);
   /// After the last step.
   void end();
   /// Waits until all that was handed over to be written is done; of an error the next function tells.

@@ -10,6 +10,7 @@
 #include "io/sha256.hpp"
 #include "os/control_characters.hpp"
 #include "os/error.hpp"
+#include "os/text_of_list.hpp"
 #include "run_folder/origin.hpp"
 #include "run_folder/summary_file.hpp"
 #include "settings/safety.hpp"
@@ -81,7 +82,7 @@ settings::Case case_to_run(const RunRequest& request)
   const bool made =
       std::holds_alternative<mesh::SeabedMesh>(settings.mesh) && settings.method == settings::Method::mpm && settings.dimension() == 2;
   std::error_code error;
-  if (request.resume && (from_file || made) && fs::exists(mesh, error)) {
+  if (request.resume && !request.shorter && (from_file || made) && fs::exists(mesh, error)) {
     mesh::GmshFile file = from_file ? std::get<mesh::GmshFile>(settings.mesh) : mesh::GmshFile{};
     file.file = mesh.string();
     if (made) file.made_from = std::get<mesh::SeabedMesh>(settings.mesh);
@@ -103,6 +104,18 @@ RunPlace::RunPlace(const RunRequest& request, const Context& context, const io::
     run_folder::note_resumption(folder_.path());
   else
     for (const std::string& warning : warnings) io::warn("{}", warning);
+}
+
+void RunPlace::lengthen(const RunRequest& request, const io::ScratchFolder& scratch, const std::function<void(const fs::path&)>& keep)
+{
+  folder_.change([&](const fs::path& change) {
+    io::write_atomically(change / "resolved.toml", input::resolved_toml(request.settings));
+    scratch.move_files_to(change);
+    run_folder::note_change(folder_.path(), change, request.set, named_files(request));
+    io::make_folder(checkpoints_in(change));
+    keep(change);
+  });
+  io::info("the mesh is longer now: {}", text_of_list(request.set, ", "));
 }
 
 namespace {

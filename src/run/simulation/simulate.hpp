@@ -20,6 +20,7 @@ struct RunRequest {
   input::Places places = {};          ///< where the keys of the case were written, for messages
   user_law::GivenLaws laws = {};      ///< of the caller's own, in place of libraries that the case names
   std::vector<std::string> set = {};  ///< what was changed in the case file, each KEY=VALUE: noted in origin.json
+  std::shared_ptr<const RunRequest> shorter = {};  ///< the run as it was begun, where it is resumed on a longer mesh (lengthened())
 };
 
 // All of them refuse a case that makes no sense (sanity/questions.hpp), with InputError; what is doubtful is a warning.

@@ -108,6 +108,32 @@ TEST(RunFolder, gets_the_rest_of_what_a_run_was_given_that_was_killed_once_it_ha
   EXPECT_FALSE(fs::exists(base.path() / "start.part"));
 }
 
+TEST(RunFolder, changes_all_that_a_run_goes_on_with_or_nothing)
+{
+  const TemporaryFolder base;
+  for (const char* name : {"resolved.toml", "mesh.msh"}) std::ofstream(base.path() / name) << "old";
+  const RunFolder folder = RunFolder::of_earlier_run(base.path());
+  const auto give_new = [](const fs::path& change) {
+    for (const char* name : {"resolved.toml", "mesh.msh"}) std::ofstream(change / name) << "new";
+  };
+  EXPECT_THROW(folder.change([&](const fs::path& change) {
+    give_new(change);
+    throw RunError("no more");
+  }),
+               RunError);
+  const auto both_are = [&](const char* text) {
+    return content_of(base.path() / "resolved.toml") == text && content_of(base.path() / "mesh.msh") == text;
+  };
+  EXPECT_TRUE(both_are("old"));
+  folder.change(give_new);
+  EXPECT_TRUE(both_are("new"));
+  // Killed while files are moved: the rest follows.
+  fs::create_directory(base.path() / "start.part");
+  for (const char* name : {"resolved.toml", "start.part/mesh.msh"}) std::ofstream(base.path() / name) << "newer";
+  finish_start(base.path());
+  EXPECT_TRUE(both_are("newer"));
+}
+
 TEST(RunFolder, of_an_earlier_run_what_berm_wrote_is_removed_and_nothing_else)
 {
   const TemporaryFolder base;
