@@ -110,16 +110,16 @@ void refuse_rigid_outside_mesh(const problem::Model<dim>& model, const problem::
           "t = {:.6g} s (step {}); {}, or end the stage \"{}\" earlier",
           model.rigid_bodies[r].name, side, axis, reached, limit, state.time, state.step, advice, model.stages[state.stage.index].name));
     };
-    const char* longer =
-        dim == 2 ? "resume on a longer mesh (berm run --resume FOLDER --set mesh.length=...)" : "make the mesh longer there";
     const Vec<dim> up = Vec<dim>::UnitY();  // the mesh's own bottom
     const Real low = lowest_level<dim>(now, up), x = center_of<dim>(now)[0], first_x = center_of<dim>(first)[0];
     if (lowest_level<dim>(first, up) >= mesh.lower[1] && low < mesh.lower[1])
       refuse("bottom", 'y', low, mesh.lower[1], "make the mesh deeper");
     if (lowest_level<dim>(first, up) <= mesh.upper[1] && low > mesh.upper[1])
       refuse("top", 'y', low, mesh.upper[1], "make the mesh higher, or drive it downwards");
-    if (first_x - radius >= mesh.lower[0] && x - radius < mesh.lower[0]) refuse("left side", 'x', x - radius, mesh.lower[0], longer);
-    if (first_x + radius <= mesh.upper[0] && x + radius > mesh.upper[0]) refuse("right side", 'x', x + radius, mesh.upper[0], longer);
+    if (first_x - radius >= mesh.lower[0] && x - radius < mesh.lower[0])
+      refuse("left side", 'x', x - radius, mesh.lower[0], "make the mesh longer there");
+    if (first_x + radius <= mesh.upper[0] && x + radius > mesh.upper[0])
+      refuse("right side", 'x', x + radius, mesh.upper[0], "make the mesh longer there");
     if (!std::isfinite(low) || !std::isfinite(x))
       throw RunError(fmt::format("the position of rigid body \"{}\" is not finite at t = {:.6g} s (step {})", model.rigid_bodies[r].name,
                                  state.time, state.step));

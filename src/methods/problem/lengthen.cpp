@@ -130,17 +130,15 @@ private:
 }  // namespace
 
 template <int dim>
-void refuse_to_lengthen(const Model<dim>& model)
+std::string not_to_lengthen(const Model<dim>& model)
 {
-  const auto refuse = [](bool has, const char* key, const char* what) {
-    if (has) throw KeyError(fmt::format("{}: {} cannot be carried to a longer mesh: begin a new run on it", key, what));
-  };
-  refuse(model.water_flows(), "material", "soil whose water flows");
-  refuse(!model.load_points.empty(), "traction", "the points of a traction");
-  refuse(!model.earthworks.empty(), "body", "fills and excavations");
-  refuse(!model.watches.empty(), "watch", "watched points");
+  if (model.water_flows()) return "material: soil whose water flows";
+  if (!model.load_points.empty()) return "traction: its points";
+  if (!model.earthworks.empty()) return "fill, excavation: soil that is placed or taken out";
+  if (!model.watches.empty()) return "watch: its points";
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
-    refuse(model.conditions.absorbs(static_cast<Index>(b)), "absorbing", "the forces of a boundary that absorbs");
+    if (model.conditions.absorbs(static_cast<Index>(b))) return "support: the forces of a boundary that absorbs";
+  return "";
 }
 
 template <int dim>
@@ -166,8 +164,8 @@ LengthenedBed<dim> lengthen(const settings::Case& c, const Model<dim>& before, c
   return bed;
 }
 
-template void refuse_to_lengthen(const Model<2>&);
-template void refuse_to_lengthen(const Model<3>&);
+template std::string not_to_lengthen(const Model<2>&);
+template std::string not_to_lengthen(const Model<3>&);
 template LengthenedBed<2> lengthen(const settings::Case&, const Model<2>&, const State<2>&, const Model<2>&, const State<2>&);
 template LengthenedBed<3> lengthen(const settings::Case&, const Model<3>&, const State<3>&, const Model<3>&, const State<3>&);
 

@@ -18,9 +18,9 @@ struct LengthenedBed {
   std::vector<std::vector<Parent<dim>>> parents;  ///< by body, then number of the particle
 };
 
-/// Throws KeyError where the soil of this model cannot be carried to another mesh: water that flows, boundaries that absorb, tractions, fills, excavations, watched points.
+/// What of this model cannot be carried to another mesh, with its key: water that flows, boundaries that absorb, tractions, fills, excavations, watched points; "" where all can.
 template <int dim>
-void refuse_to_lengthen(const Model<dim>& model);
+std::string not_to_lengthen(const Model<dim>& model);
 
 /// A state on the longer mesh of the same seabed. Particles stay where they are; one beyond the fine zone before that is larger than those of its new cell is divided among the places that
 /// particles of `fresh`, the start on the longer mesh, have around it: mass, momentum, kinetic energy, volume and volume times stress are kept. Beyond the ends of the mesh before lies the soil of

@@ -13,22 +13,20 @@ constexpr Real much_travel = 0.01;
 }  // namespace
 
 template <int dim>
-bool CellWatch<dim>::observe(const problem::Model<dim>& model, const problem::State<dim>& state)
+void CellWatch<dim>::observe(const problem::Model<dim>& model, const problem::State<dim>& state)
 {
   const Index main = model.main_rigid;
-  if (main == none || model.driven[state.stage.index] != main) return false;
+  if (main == none || model.driven[state.stage.index] != main) return;
   const bodies::RigidState<dim>& now = state.rigid_bodies[main];
   const Real size = problem::cell_size_at<dim>(model, placed<dim>(model.rigid_bodies[main], now), near_);
-  if (std::isnan(size)) return false;
+  if (std::isnan(size)) return;
   const Real moved_by = (now.displacement - place_).norm();
   place_ = now.displacement;
   travel_ += moved_by;
   if (std::isnan(first_)) first_ = largest_ = size;
-  const bool coarse = size > problem::coarser_cells * first_;
-  if (coarse) coarse_travel_ += moved_by;
+  if (size > problem::coarser_cells * first_) coarse_travel_ += moved_by;
   last_ = size;
   largest_ = std::max(largest_, size);
-  return coarse && !std::exchange(was_coarse_, true);
 }
 
 template <int dim>

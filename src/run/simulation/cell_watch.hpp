@@ -11,8 +11,8 @@ namespace berm::simulation {
 template <int dim>
 class CellWatch {
 public:
-  /// Where a row of the history is written. Returns whether the body has come onto cells that are much larger than those at its start, for the first time.
-  bool observe(const problem::Model<dim>& model, const problem::State<dim>& state);
+  /// Where a row of the history is written.
+  void observe(const problem::Model<dim>& model, const problem::State<dim>& state);
 
   /// The sizes at its start, now and at most, m, and the part of its travel on cells that are much larger than those at the start; nothing where no body was driven.
   run_folder::Summary::Checks checks() const;
@@ -26,7 +26,6 @@ private:
   Real travel_ = 0, coarse_travel_ = 0;            ///< m
   Vec<dim> place_ = Vec<dim>::Zero();
   Index near_ = 0;
-  bool was_coarse_ = false;
 };
 
 }  // namespace berm::simulation

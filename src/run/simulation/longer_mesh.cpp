@@ -9,6 +9,7 @@
 #include "os/text_of_list.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace berm::simulation {
@@ -24,15 +25,20 @@ void refuse_other_keys(const std::vector<std::string>& set)
           fmt::format("--set {}: a run is resumed as it was begun, but for a longer mesh (allowed: {})", change, text_of_list(keys, ", ")));
 }
 
-/// The seabed of the mesh of a run that can go on on a longer one.
-const mesh::SeabedMesh& bed_of(const settings::Case& c)
+/// The seabed of the mesh of a case that can go on on a longer one; else null.
+const mesh::SeabedMesh* bed_to_lengthen(const settings::Case& c)
 {
   const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
-  if (bed == nullptr || c.method != settings::Method::mpm || c.geometry != settings::Geometry::plane_strain || bed->trench || bed->step)
-    throw InputError(
-        "--set: only a run of the material point method in plane strain on a mesh of kind = \"seabed\" without trench and step is "
-        "resumed on a longer mesh: begin a new run");
-  return *bed;
+  const bool in_plane = c.method == settings::Method::mpm && c.geometry == settings::Geometry::plane_strain;
+  return bed != nullptr && in_plane && bed->pattern == mesh::SeabedPattern::lattice && !bed->trench && !bed->step ? bed : nullptr;
+}
+
+const mesh::SeabedMesh& bed_of(const settings::Case& c)
+{
+  if (const mesh::SeabedMesh* bed = bed_to_lengthen(c)) return *bed;
+  throw InputError(
+      "--set: only a run of the material point method in plane strain on a mesh of kind = \"seabed\" and pattern = \"lattice\", without "
+      "trench and step, is resumed on a longer mesh: begin a new run");
 }
 
 /// From x = 0 to the left wall, m.
@@ -48,6 +54,12 @@ void refuse_shorter(const char* what, Real now, Real before, bool right)
   if (right ? now < before - rounding : now > before + rounding)
     throw InputError(fmt::format("--set: {} would lie at x = {:.6g} m, inside of that of the run, {:.6g} m: a mesh can only become longer",
                                  what, now, before));
+}
+
+/// To 0.1 m.
+Real rounded_up(Real x)
+{
+  return std::ceil(10 * x) / 10;
 }
 
 }  // namespace
@@ -69,6 +81,25 @@ RunRequest on_longer_mesh(const RunRequest& resumed, const std::vector<std::stri
   longer.set = set;
   longer.shorter = std::make_shared<const RunRequest>(resumed);
   return longer;
+}
+
+std::string command_to_lengthen(const RunRequest& run, const Sides& sides)
+{
+  const mesh::SeabedMesh* bed = bed_to_lengthen(run.settings);
+  if (bed == nullptr) return "";
+  const auto& [start, now] = sides;
+  const Real widths = 3 * (start.to - start.from);
+  const bool left = now.from < bed->near_left && start.from >= bed->near_left, right = now.to > bed->near_right && start.to <= bed->near_right;
+  if (!left && !right) return "";
+  const Real near_left = left ? rounded_up(widths - now.from) : -bed->near_left, near_right = right ? rounded_up(now.to + widths) : bed->near_right,
+             added_left = near_left + bed->near_left, added_right = near_right - bed->near_right;
+  std::string command = fmt::format("berm run --resume {}", run.folder.string());
+  const auto set = [&](const char* key, Real value) { command += fmt::format(" --set 'mesh.{}=\"{:.6g} m\"'", key, value); };
+  if (left) set("near_left", -near_left);
+  if (right) set("near_right", near_right);
+  if (left || !bed->left) set("left", left_of(*bed) + added_left);
+  set("length", bed->length + added_left + added_right);
+  return command;
 }
 
 }  // namespace berm::simulation

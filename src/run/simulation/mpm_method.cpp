@@ -255,31 +255,7 @@ void MpmMethod<d>::add_row(run_folder::HistoryFile& file, const MoreColumns& mor
     recorder_.note_movement(trial_->movement());
   }
   recorder_.add_row(model(), state(), *workspace_, file, more);
-  if (cells_.observe(model(), state())) advise_longer_mesh();
-}
-
-/// While the run goes on: on a seabed in the plane the body need not end on coarse cells.
-template <int d>
-void MpmMethod<d>::advise_longer_mesh() const
-{
-  const auto* bed = std::get_if<mesh::SeabedMesh>(&case_.mesh);
-  if (const auto* file = std::get_if<mesh::GmshFile>(&case_.mesh); bed == nullptr && file != nullptr && file->made_from)
-    bed = &*file->made_from;
-  if (d == 3 || bed == nullptr || model().mesh.metric == mesh::Metric::axisymmetric) return;
-  constexpr Real widths = 3;
-  const bodies::RigidBody<d>& body = model().rigid_bodies[model().main_rigid];
-  const bodies::RigidState<d>& now = state().rigid_bodies[model().main_rigid];
-  const Real x = center_of<d>(placed<d>(body, now))[0], further = widths * width_of<d>(body.shape);
-  const bool right = now.displacement[0] > 0;
-  const Real left = bed->left.value_or(bed->length / 2),
-             added = std::max(Real(0), right ? x + further - bed->near_right : bed->near_left - x + further);
-  io::warn("\"{}\" leaves the fine cells at x = {:.3g} m, t = {:.4g} s. To go on in fine cells stop the run (Ctrl-C), and berm run "
-           "--resume FOLDER {}",
-           body.name, x, state().time,
-           right ? fmt::format("--set 'mesh.near_right=\"{:.3g} m\"' --set 'mesh.length=\"{:.3g} m\"'", bed->near_right + added,
-                               bed->length + added)
-                 : fmt::format("--set 'mesh.near_left=\"{:.3g} m\"' --set 'mesh.left=\"{:.3g} m\"' --set 'mesh.length=\"{:.3g} m\"'",
-                               bed->near_left - added, left + added, bed->length + added));
+  cells_.observe(model(), state());
 }
 
 template <int d>
@@ -457,8 +433,8 @@ void MpmMethod<d>::archive(Archive& k)
 template <int d>
 void MpmMethod<d>::lengthen(MpmMethod& before)
 {
-  problem::refuse_to_lengthen(model());
-  if (trial_) throw KeyError("safety: a trial of the factor of safety cannot be carried to a longer mesh: begin a new run on it");
+  const std::string obstacle = trial_ ? "safety: a trial of the factor of safety" : problem::not_to_lengthen(model());
+  if (!obstacle.empty()) throw KeyError(fmt::format("{} cannot be carried to a longer mesh: begin a new run on it", obstacle));
   before_ = &before;
   start_ = state();
 }
@@ -468,6 +444,15 @@ void MpmMethod<d>::lengthen(std::unique_ptr<MpmMethod> before)
 {
   own_before_ = std::move(before);
   lengthen(*own_before_);
+}
+
+template <int d>
+Sides MpmMethod<d>::sides() const
+{
+  const bodies::RigidBody<d>& body = model().rigid_bodies[model().main_rigid];
+  const Real half = width_of<d>(body.shape) / 2, first = center_of<d>(body.shape)[0],
+             now = first + state().rigid_bodies[model().main_rigid].displacement[0];
+  return {{first - half, first + half}, {now - half, now + half}};
 }
 
 template <int d>

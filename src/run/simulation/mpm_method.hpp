@@ -9,6 +9,7 @@
 #include "run_folder/summary.hpp"
 #include "sanity/scene.hpp"
 #include "simulation/cell_watch.hpp"
+#include "simulation/longer_mesh.hpp"
 #include "simulation/mpm_recorder.hpp"
 #include "simulation/simulate.hpp"
 #include "simulation/trial.hpp"
@@ -76,6 +77,8 @@ public:
   const mesh::Mesh<d>& mesh_of_checkpoint() const { return before_ == nullptr ? model().mesh : before_->model().mesh; }
   /// The state before that checkpoint was read, where it is of a shorter mesh.
   const std::optional<problem::State<d>>& start() const { return start_; }
+  /// Of the main rigid body, where there is one.
+  Sides sides() const;
   /// The state of all ranks, on the first of them, while this lives.
   mpm::WholeState<d> whole_state();
 
@@ -107,7 +110,6 @@ private:
   Pace measure_pace();
   void enter_next_stage();
   void take_from_shorter();
-  void advise_longer_mesh() const;
   Real expected_steps_time() const;
   void refuse_other_problem() const;
   void divide_anew();

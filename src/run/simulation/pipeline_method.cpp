@@ -232,6 +232,17 @@ void PipelineMethod::lengthen(std::unique_ptr<PipelineMethod> before)
   before_ = std::move(before);
 }
 
+Sides PipelineMethod::sides() const
+{
+  Sides all = first_.sides();
+  const Extent first = all.now;
+  for (std::size_t k = 1; line_.is_coupled() && k < line_.count(); ++k) {
+    const Real further = line_.slice(k).rigid_bodies[0].displacement[0] - state().rigid_bodies[0].displacement[0];
+    all.now = {std::min(all.now.from, first.from + further), std::max(all.now.to, first.to + further)};
+  }
+  return all;
+}
+
 void PipelineMethod::begin(bool at_start)
 {
   first_.begin(at_start);

@@ -47,6 +47,8 @@ public:
   /// As MpmMethod::lengthen.
   void lengthen(std::unique_ptr<PipelineMethod> before);
   const mesh::Mesh<2>& mesh_of_checkpoint() const { return first_.mesh_of_checkpoint(); }
+  /// Of the pipes in all slices.
+  Sides sides() const;
   /// Of all slices, on the first rank.
   mpm::WholeState<2> whole_state();
 

@@ -8,10 +8,12 @@
 #include "io/atomic_file.hpp"
 #include "io/log.hpp"
 #include "os/error.hpp"
+#include "problem/lengthen.hpp"
 #include "problem/stages.hpp"
 #include "record/run_record.hpp"
 #include "settings/time_scale.hpp"
 #include "simulation/fem_method.hpp"
+#include "simulation/longer_mesh.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/mpm_method.hpp"
 #include "simulation/pipeline_method.hpp"
@@ -101,6 +103,7 @@ void Run<Method>::keep_in(const std::filesystem::path& run_folder)
 {
   history_bytes_ = history_->bytes();
   history_->sync();
+  if (const mesh::GroundLine& line = model().ground.line; !line.level()) record::write_ground(run_folder, line);
   run_folder::CheckpointFolder(checkpoints_in(run_folder)).begin(state().step, [&](Archive& k) { archive(k); })();
 }
 
@@ -140,9 +143,11 @@ void Run<Method>::step_of_method()
   const RunClock::In part(clock_.parts().steps);
   try {
     method_.step();
-  } catch (const RunError&) {
+  } catch (const RunError& error) {
     user_law::throw_failures(request_.settings);
-    throw;
+    const std::string command = command_to_lengthen();
+    if (command.empty()) throw;
+    throw RunError(fmt::format("{}. To go on from the last checkpoint on a longer mesh: {}", error.what(), command));
   }
   if constexpr (std::is_same_v<Method, FemMethod>)
     user_law::forget_failures(request_.settings);
@@ -207,11 +212,35 @@ void Run<Method>::archive_progress(Archive& k)
   method_.archive(k);
 }
 
+/// Where what is driven has left its fine cells, and the mesh can be made longer; else "".
+template <class Method>
+std::string Run<Method>::command_to_lengthen() const
+{
+  if constexpr (std::is_same_v<Method, FemMethod>)
+    return "";
+  else
+    return model().main_rigid == none || !problem::not_to_lengthen(model()).empty()
+               ? ""
+               : simulation::command_to_lengthen(request_, method_.sides());
+}
+
+template <class Method>
+void Run<Method>::advise_longer_mesh()
+{
+  if (advised_) return;
+  const std::string command = command_to_lengthen();
+  advised_ = !command.empty();
+  if (advised_)
+    io::warn("\"{}\" leaves the fine cells at t = {:.4g} s: to go on in fine cells stop the run (Ctrl-C), and type {}",
+             model().rigid_bodies[model().main_rigid].name, state().time, command);
+}
+
 template <class Method>
 void Run<Method>::record()
 {
   const RunClock::In part(clock_.parts().rows);
   method_.add_row(*history_);
+  advise_longer_mesh();
   ++rows_;
   last_row_ = state().time;
   if (const Real interval = method_.history_interval(); interval > 0)

@@ -30,7 +30,7 @@ public:
   bool advance();
   /// Writes a checkpoint of this moment. Throws RunError where it cannot be written.
   void keep();
-  /// The same into another run folder, where the run that was resumed is not of this one's mesh.
+  /// The same into another run folder, with the line of the ground: what the run that was resumed has there is of a shorter mesh.
   void keep_in(const std::filesystem::path& run_folder);
   /// After the last step.
   void end();
@@ -54,6 +54,8 @@ private:
   std::filesystem::path history_path() const { return folder_.file("history.csv"); }
   void archive(Archive& k);
   void archive_progress(Archive& k);
+  std::string command_to_lengthen() const;
+  void advise_longer_mesh();
   void record();
   bool frame_is_due() const;
   void frame();
@@ -88,6 +90,7 @@ private:
   std::size_t last_in_hand_ = 0;
   run_folder::Progress progress_;
   bool finished_ = false;
+  bool advised_ = false;  ///< of a longer mesh
   BigIndex rows_ = 0;
   Real last_row_ = -1, next_row_ = 0, frame_time_ = 0;  ///< s
   Real last_frame_ = -1;                                ///< s, of a frame that this process made

@@ -112,11 +112,11 @@ TEST(RunFolder, changes_all_that_a_run_goes_on_with_or_nothing)
 {
   const TemporaryFolder base;
   for (const char* name : {"resolved.toml", "mesh.msh"}) std::ofstream(base.path() / name) << "old";
-  const RunFolder folder = RunFolder::of_earlier_run(base.path());
+  std::optional<RunFolder> folder = RunFolder::of_earlier_run(base.path());
   const auto give_new = [](const fs::path& change) {
     for (const char* name : {"resolved.toml", "mesh.msh"}) std::ofstream(change / name) << "new";
   };
-  EXPECT_THROW(folder.change([&](const fs::path& change) {
+  EXPECT_THROW(folder->change([&](const fs::path& change) {
     give_new(change);
     throw RunError("no more");
   }),
@@ -125,8 +125,9 @@ TEST(RunFolder, changes_all_that_a_run_goes_on_with_or_nothing)
     return content_of(base.path() / "resolved.toml") == text && content_of(base.path() / "mesh.msh") == text;
   };
   EXPECT_TRUE(both_are("old"));
-  folder.change(give_new);
+  folder->change(give_new);
   EXPECT_TRUE(both_are("new"));
+  folder.reset();
   // Killed while files are moved: the rest follows.
   fs::create_directory(base.path() / "start.part");
   for (const char* name : {"resolved.toml", "start.part/mesh.msh"}) std::ofstream(base.path() / name) << "newer";

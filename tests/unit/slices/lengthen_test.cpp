@@ -3,7 +3,6 @@
 #include "problem/lengthen.hpp"
 
 #include "bodies/fill.hpp"
-#include "os/error.hpp"
 #include "samples/pipeline_case.hpp"
 #include "samples/temporary_folder.hpp"
 
@@ -122,11 +121,25 @@ TEST_F(Lengthen, changes_nothing_on_the_mesh_that_it_has)
   EXPECT_EQ(all_of(same), all_of(problem.state));
 }
 
-TEST_F(Lengthen, is_refused_where_soil_has_what_belongs_to_its_mesh)
+TEST_F(Lengthen, is_not_of_soil_that_has_what_belongs_to_its_mesh)
 {
-  settings::Case c = test::line_case({"watch.deep={body=\"clay\", point=[0, -0.3]}"});
-  EXPECT_THROW(refuse_to_lengthen(problem_of(c).model), KeyError);
-  EXPECT_NO_THROW(refuse_to_lengthen(problem_of(test::line_case()).model));
+  const settings::Case c = test::line_case({"watch.deep={body=\"clay\", point=[0, -0.3]}"});
+  EXPECT_EQ(not_to_lengthen(problem_of(c).model), "watch: its points");
+  EXPECT_EQ(not_to_lengthen(problem_of(test::line_case()).model), "");
+}
+
+TEST_F(Lengthen, finds_the_fine_triangles_where_they_were)
+{
+  const mesh::Mesh<2> before = problem_of(test::line_case(lattice)).model.mesh, after = problem_of(test::line_case(longer)).model.mesh;
+  Index cell = 0;
+  for (Index near = 0; near < before.cell_count(); ++near) {
+    if (before.region_names[before.region[near]] != "near") continue;
+    Vec<2> middle = Vec<2>::Zero();
+    for (const Index node : before.nodes[near]) middle += before.position[node] / 3;
+    cell = locate(after, middle, cell).cell;
+    for (const Index node : before.nodes[near])
+      EXPECT_TRUE(std::ranges::any_of(after.nodes[cell], [&](Index other) { return after.position[other] == before.position[node]; }));
+  }
 }
 
 }  // namespace
