@@ -292,13 +292,13 @@ def words_of_run(
         if case is not None or folder is not None:
             raise InputError("resume: a folder is resumed without a case and another folder; resume=True continues a case")
         into = Path(resume)
-    if resume and (set or force):
+    if resume and (force or (set and case is not None)):
         raise InputError("resume: a run continues with the changes that it was begun with: leave out set and force")
     if case is not None and not (resume and (into / "resolved.toml").is_file()):
         return ["run", case, *settings(set), "-o", into, *options(force=force), *words], into
     if case is not None and _bytes_of(case) != _bytes_of(into / "case.toml"):
         raise InputError(f"resume: {into} holds a run of another case than {case}: name another folder")
-    return ["run", "--resume", into, *words], into
+    return ["run", "--resume", into, *settings(set), *words], into
 
 
 def run(
@@ -321,9 +321,10 @@ def run(
 
     case: a TOML file. folder: where results go; else where the program puts them. set: changes, {"stage.drag.velocity": "2 m/s"}.
     resume: True continues the run of this case that the folder holds, if there is one (one that is finished is only opened); or a
-    folder, without a case, whose run is continued. force: replaces an earlier run. uncertainty: also runs on other cells and at another
-    speed, for bands about its results. strict: an answer that is invalid is a RunError. no_programs: refuses a case that brings a
-    geometry or a law; sandbox, no_sandbox: runs these so that they write only into the folder, or freely. quiet: no progress on stderr.
+    folder, without a case, whose run is continued: with set={"mesh.near_right": "3 m"} (near_left, left, length) on a longer mesh.
+    force: replaces an earlier run. uncertainty: also runs on other cells and at another speed, for bands about its results. strict: an
+    answer that is invalid is a RunError. no_programs: refuses a case that brings a geometry or a law; sandbox, no_sandbox: runs these so
+    that they write only into the folder, or freely. quiet: no progress on stderr.
     Throws InputError, RunError and Stopped with the program's message."""
     more = options(uncertainty=uncertainty, strict=strict, no_programs=no_programs, sandbox=sandbox, no_sandbox=no_sandbox)
     words, into = words_of_run(case, folder, set=set, threads=threads, resume=resume, force=force, more=more)

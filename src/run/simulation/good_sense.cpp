@@ -59,8 +59,7 @@ Real free_disk(const fs::path& folder)
 
 void note_warnings(const fs::path& run_folder, const std::vector<std::string>& warnings)
 {
-  if (warnings.empty()) return;
-  io::write_atomically(warnings_in(run_folder), fmt::format("{}\n", text_of_list(warnings, "\n")));
+  io::write_atomically(warnings_in(run_folder), warnings.empty() ? "" : fmt::format("{}\n", text_of_list(warnings, "\n")));
 }
 
 std::vector<std::string> noted_warnings(const fs::path& run_folder)

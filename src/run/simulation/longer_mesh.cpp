@@ -89,10 +89,12 @@ std::string command_to_lengthen(const RunRequest& run, const Sides& sides)
   if (bed == nullptr) return "";
   const auto& [start, now] = sides;
   const Real widths = 3 * (start.to - start.from);
-  const bool left = now.from < bed->near_left && start.from >= bed->near_left, right = now.to > bed->near_right && start.to <= bed->near_right;
+  const bool left = now.from < bed->near_left && start.from >= bed->near_left,
+             right = now.to > bed->near_right && start.to <= bed->near_right;
   if (!left && !right) return "";
-  const Real near_left = left ? rounded_up(widths - now.from) : -bed->near_left, near_right = right ? rounded_up(now.to + widths) : bed->near_right,
-             added_left = near_left + bed->near_left, added_right = near_right - bed->near_right;
+  const Real near_left = left ? rounded_up(widths - now.from) : -bed->near_left,
+             near_right = right ? rounded_up(now.to + widths) : bed->near_right, added_left = near_left + bed->near_left,
+             added_right = near_right - bed->near_right;
   std::string command = fmt::format("berm run --resume {}", run.folder.string());
   const auto set = [&](const char* key, Real value) { command += fmt::format(" --set 'mesh.{}=\"{:.6g} m\"'", key, value); };
   if (left) set("near_left", -near_left);

@@ -18,7 +18,7 @@ namespace {
 template <class Method>
 std::vector<std::string> warnings_about(const RunRequest& request, Method& method, const Context& context)
 {
-  return request.resume ? noted_warnings(request.folder) : warnings_of(method.scene(request, context.threads()));
+  return request.resume && !request.shorter ? noted_warnings(request.folder) : warnings_of(method.scene(request, context.threads()));
 }
 
 }  // namespace
@@ -63,7 +63,8 @@ void OpenRun<Method>::begin()
 {
   leaving_results([&] {
     run_.begin();
-    if (request_.shorter) place_->lengthen(request_, scratch_, [&](const std::filesystem::path& folder) { run_.keep_in(folder); });
+    if (request_.shorter)
+      place_->lengthen(request_, scratch_, warnings_, [&](const std::filesystem::path& folder) { run_.keep_in(folder); });
   });
 }
 

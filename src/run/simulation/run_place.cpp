@@ -100,19 +100,20 @@ RunPlace::RunPlace(const RunRequest& request, const Context& context, const io::
   if (!Ranks::of_run().is_first()) return;
   if (replaces_) io::info("the unfinished run in {} is replaced; `berm run --resume` resumes one instead", request.folder.string());
   io::info("{}", one_line(fmt::format("{} -> {}: {}", request.case_file.string(), folder_.path().string(), size)));
-  if (request.resume)
-    run_folder::note_resumption(folder_.path());
-  else
+  if (request.resume) run_folder::note_resumption(folder_.path());
+  if (!request.resume || request.shorter)
     for (const std::string& warning : warnings) io::warn("{}", warning);
 }
 
-void RunPlace::lengthen(const RunRequest& request, const io::ScratchFolder& scratch, const std::function<void(const fs::path&)>& keep)
+void RunPlace::lengthen(const RunRequest& request, const io::ScratchFolder& scratch, const std::vector<std::string>& warnings,
+                        const std::function<void(const fs::path&)>& keep)
 {
   folder_.change([&](const fs::path& change) {
     io::write_atomically(change / "resolved.toml", input::resolved_toml(request.settings));
     scratch.move_files_to(change);
     run_folder::note_change(folder_.path(), change, request.set, named_files(request));
     io::make_folder(checkpoints_in(change));
+    note_warnings(change, warnings);
     keep(change);
   });
   io::info("the mesh is longer now: {}", text_of_list(request.set, ", "));

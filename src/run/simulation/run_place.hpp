@@ -20,7 +20,8 @@ public:
            const std::vector<std::string>& warnings);
 
   /// Replaces what the run was begun with by what it goes on with on a longer mesh, all of it or, where that is cut short, nothing. `keep` puts the checkpoint into a folder.
-  void lengthen(const RunRequest& request, const io::ScratchFolder& scratch, const std::function<void(const std::filesystem::path&)>& keep);
+  void lengthen(const RunRequest& request, const io::ScratchFolder& scratch, const std::vector<std::string>& warnings,
+                const std::function<void(const std::filesystem::path&)>& keep);
 
   const run_folder::RunFolder& folder() const { return folder_; }
   run_folder::RunLog& log() { return log_; }
