@@ -24,6 +24,12 @@ fs::path start_in(const fs::path& run_folder)
   return io::part_of(run_folder / "start");
 }
 
+/// That in which a change of what the run goes on with is made.
+fs::path change_in(const fs::path& run_folder)
+{
+  return io::part_of(run_folder / "change");
+}
+
 // All that a run writes but resolved.toml and its pictures of the soil.
 constexpr const char* own_files[] = {
     "history.csv",     "history.schema.json", "summary.json",       "origin.json",        "run.log",
@@ -62,6 +68,7 @@ void remove_run(const fs::path& folder)
   fs::remove(folder / resolved);
   remove_soil_pictures(folder);
   for (const char* name : own_files) fs::remove_all(folder / name);
+  fs::remove_all(change_in(folder));
   for (const fs::directory_entry& entry : fs::directory_iterator(start_in(folder))) fs::remove_all(entry.path());
 }
 
@@ -156,9 +163,8 @@ void RunFolder::begin(const std::function<void(const fs::path&)>& give) const
 
 void RunFolder::change(const std::function<void(const fs::path&)>& give) const
 {
-  const fs::path change = io::part_of(path_ / "change");
+  const fs::path change = change_in(path_);
   std::error_code ignored;
-  fs::remove_all(change, ignored);  // of one that was cut short
   try {
     give(io::make_inner_folder(path_, change.filename()));
     sync_names(change, change);
@@ -173,9 +179,11 @@ void RunFolder::change(const std::function<void(const fs::path&)>& give) const
 void finish_start(const fs::path& run_folder)
 {
   std::error_code error;
-  if (!fs::exists(run_folder / resolved, error) || !fs::exists(start_in(run_folder), error)) return;
+  const bool begun = fs::exists(start_in(run_folder), error), cut_short = fs::exists(change_in(run_folder), error);
+  if (!fs::exists(run_folder / resolved, error) || !(begun || cut_short)) return;
   const io::FolderLock lock(run_folder);
-  move_start(run_folder);
+  fs::remove_all(change_in(run_folder), error);
+  if (begun) move_start(run_folder);
 }
 
 fs::path RunFolder::subfolder(std::string_view name) const

@@ -42,7 +42,7 @@ private:
 /// Throws RunError where the path is not a folder, or one that holds something and is not one of a run. Makes nothing.
 void refuse_other_files(const std::filesystem::path& path);
 
-/// Moves what a process that was killed in begin() left of it. Throws RunError where another process writes into the folder.
+/// Moves what a process that was killed in begin() or change() left of it, and removes what was not complete. Throws RunError where another process writes into the folder.
 void finish_start(const std::filesystem::path& run_folder);
 
 }  // namespace berm::run_folder

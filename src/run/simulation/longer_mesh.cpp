@@ -59,7 +59,7 @@ void refuse_shorter(const char* what, Real now, Real before, bool right)
 /// To 0.1 m.
 Real rounded_up(Real x)
 {
-  return std::ceil(10 * x) / 10;
+  return std::ceil(10 * x - 1e-6) / 10;
 }
 
 }  // namespace
@@ -88,12 +88,13 @@ std::string command_to_lengthen(const RunRequest& run, const Sides& sides)
   const mesh::SeabedMesh* bed = bed_to_lengthen(run.settings);
   if (bed == nullptr) return "";
   const auto& [start, now] = sides;
-  const Real widths = 3 * (start.to - start.from);
-  const bool left = now.from < bed->near_left && start.from >= bed->near_left,
-             right = now.to > bed->near_right && start.to <= bed->near_right;
+  const Real width = start.to - start.from;
+  const auto outgrows = [&](Real room, Real travel) { return room < width && travel > 0.1 * width; };
+  const bool left = outgrows(now.from - bed->near_left, start.from - now.from),
+             right = outgrows(bed->near_right - now.to, now.to - start.to);
   if (!left && !right) return "";
-  const Real near_left = left ? rounded_up(widths - now.from) : -bed->near_left,
-             near_right = right ? rounded_up(now.to + widths) : bed->near_right, added_left = near_left + bed->near_left,
+  const Real near_left = left ? rounded_up(3 * width - now.from) : -bed->near_left,
+             near_right = right ? rounded_up(now.to + 3 * width) : bed->near_right, added_left = near_left + bed->near_left,
              added_right = near_right - bed->near_right;
   std::string command = fmt::format("berm run --resume {}", run.folder.string());
   const auto set = [&](const char* key, Real value) { command += fmt::format(" --set 'mesh.{}=\"{:.6g} m\"'", key, value); };

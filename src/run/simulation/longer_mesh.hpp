@@ -18,8 +18,8 @@ struct Sides {
   Extent start, now;
 };
 
-/// The command that resumes a run on a mesh whose fine zone reaches three widths further than what it drives, where that has left the fine zone that it began in; "" where it has not, and for cases that are not
-/// resumed on a longer mesh.
+/// The command that resumes a run on a mesh whose fine zone reaches three widths further than what it drives, where that has come nearer to the end of the fine zone than its width, so that the soil ahead of it
+/// deforms in coarse cells; "" where it has not, and for cases that are not resumed on a longer mesh.
 std::string command_to_lengthen(const RunRequest& run, const Sides& sides);
 
 }  // namespace berm::simulation

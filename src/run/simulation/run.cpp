@@ -212,7 +212,7 @@ void Run<Method>::archive_progress(Archive& k)
   method_.archive(k);
 }
 
-/// Where what is driven has left its fine cells, and the mesh can be made longer; else "".
+/// Where what is driven outgrows its fine cells, and the mesh can be made longer; else "".
 template <class Method>
 std::string Run<Method>::command_to_lengthen() const
 {
@@ -231,7 +231,7 @@ void Run<Method>::advise_longer_mesh()
   const std::string command = command_to_lengthen();
   advised_ = !command.empty();
   if (advised_)
-    io::warn("\"{}\" leaves the fine cells at t = {:.4g} s: to go on in fine cells stop the run (Ctrl-C), and type {}",
+    io::warn("\"{}\" comes to the end of the fine cells at t = {:.4g} s: to go on in fine cells stop the run (Ctrl-C), and type {}",
              model().rigid_bodies[model().main_rigid].name, state().time, command);
 }
 

@@ -128,7 +128,11 @@ TEST(RunFolder, changes_all_that_a_run_goes_on_with_or_nothing)
   folder->change(give_new);
   EXPECT_TRUE(both_are("new"));
   folder.reset();
-  // Killed while files are moved: the rest follows.
+  // Killed before all was made: it goes; while files are moved: the rest follows.
+  fs::create_directory(base.path() / "change.part");
+  finish_start(base.path());
+  EXPECT_FALSE(fs::exists(base.path() / "change.part"));
+  EXPECT_TRUE(both_are("new"));
   fs::create_directory(base.path() / "start.part");
   for (const char* name : {"resolved.toml", "start.part/mesh.msh"}) std::ofstream(base.path() / name) << "newer";
   finish_start(base.path());

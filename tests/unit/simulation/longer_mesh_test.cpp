@@ -32,19 +32,19 @@ protected:
   {
     for (const char* change : {"stage.current.until.time=\"0.3 s\"", "stage.current.ramp=\"0.2 s\"", "stage.lay.until.time=\"0.6 s\"",
                                "output.history_time=\"0.02 s\"", "output.frame_time=\"0.1 s\"", "mesh.pattern=\"lattice\""})
-      set.emplace_back(change);
+      set.insert(set.begin(), change);
     return {.settings = input::read_case(folder_ / "line.toml", set), .case_file = folder_ / "line.toml", .folder = folder_ / name};
   }
 
   /// Until a row of this time, s, is written.
-  bool run(const RunRequest& request, Real until = infinity)
+  bool run(const RunRequest& request, Real until = infinity, int threads = 1)
   {
     int steps = 0;
     const auto stops = [&] {
       return std::isfinite(until) && ++steps % 10 == 0 &&
              run_folder::read_history(request.folder / "history.csv")["time_s"].back() >= until;
     };
-    Context context(1, stops, std::make_shared<spdlog::sinks::ostream_sink_mt>(messages_));
+    Context context(threads, stops, std::make_shared<spdlog::sinks::ostream_sink_mt>(messages_));
     return run_case(request, context);
   }
 
@@ -82,12 +82,12 @@ TEST_F(LongerMesh, goes_on_as_a_run_that_had_it_from_the_start)
   EXPECT_EQ(std::get<mesh::SeabedMesh>(record.settings.mesh).near_right, 1);
 }
 
-TEST_F(LongerMesh, goes_on_to_the_same_bytes_after_it_was_stopped_again)
+TEST_F(LongerMesh, goes_on_to_the_same_bytes_after_it_was_stopped_again_and_on_two_threads)
 {
   run(request("once"), 1.5);
   fs::copy(folder_ / "once", folder_ / "twice", fs::copy_options::recursive);
   ASSERT_TRUE(run(longer("once", further)));
-  run(longer("twice", further), 1.55);
+  run(longer("twice", further), 1.55, 2);
   ASSERT_TRUE(can_be_resumed(folder_ / "twice"));
   EXPECT_EQ(std::get<mesh::SeabedMesh>(run_to_resume(folder_ / "twice")->settings.mesh).length, 2.4);
   ASSERT_TRUE(run(*run_to_resume(folder_ / "twice"))) << messages_.str();
@@ -107,6 +107,31 @@ TEST_F(LongerMesh, is_refused_for_other_keys_inwards_and_where_nothing_is_to_do_
   EXPECT_NE(refusal({"mesh.near_right=\"0.7 m\""}).find("would lie at x = 0.7 m, inside of that of the run, 0.8 m"), std::string::npos);
   EXPECT_NE(refusal({"mesh.left=\"1 m\""}).find("the right end of the mesh"), std::string::npos) << "2 m long, it ends at 1 m";
   EXPECT_FALSE(longer("run", {"mesh.near_right=\"0.8 m\""}).shorter);
+  RunRequest other = *run_to_resume(folder_ / "run");
+  std::get<mesh::SeabedMesh>(other.settings.mesh).pattern = mesh::SeabedPattern::unstructured;
+  EXPECT_NE(test::error_of<InputError>([&] { on_longer_mesh(other, further); }).find("pattern = \"lattice\""), std::string::npos);
+}
+
+TEST_F(LongerMesh, is_advised_where_a_pipe_comes_nearer_to_the_end_of_the_fine_cells_than_its_width)
+{
+  RunRequest line = request("line");
+  const auto command = [&](Real from, Real to) { return command_to_lengthen(line, {{-0.2, 0.2}, {from, to}}); };
+  EXPECT_EQ(command(-0.1, 0.3), "");
+  EXPECT_NE(command(0.1, 0.5).find("--set 'mesh.near_right=\"1.7 m\"' --set 'mesh.length=\"2.9 m\"'"), std::string::npos)
+      << command(0.1, 0.5);
+  EXPECT_NE(command(-0.3, 0.1).find("--set 'mesh.near_left=\"-1.5 m\"' --set 'mesh.left=\"2 m\"' --set 'mesh.length=\"3.2 m\"'"),
+            std::string::npos)
+      << command(-0.3, 0.1);
+  std::get<mesh::SeabedMesh>(line.settings.mesh).pattern = mesh::SeabedPattern::unstructured;
+  EXPECT_EQ(command(0.1, 0.5), "");
+}
+
+TEST_F(LongerMesh, is_advised_by_the_error_of_a_pipe_that_leaves_its_mesh)
+{
+  const Set fast = {"stage.current.pipeline.lateral=\"6 kN/m\"", "stage.current.until.time=\"3 s\""};
+  const std::string error = test::error_of<RunError>([&] { run(request("run", fast)); });
+  EXPECT_NE(error.find("on a longer mesh: berm run --resume " + (folder_ / "run").string() + " --set 'mesh.near_right="), std::string::npos)
+      << error;
 }
 
 }  // namespace
