@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/slices/lengthen_test.cpp
+// Tests: tests/unit/slices/coupled_line_lengthen_test.cpp
 #include "problem/lengthen.hpp"
 
 #include "bodies/fill.hpp"

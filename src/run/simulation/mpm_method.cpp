@@ -20,6 +20,7 @@
 #include "settings/safety.hpp"
 #include "settings/time_scale.hpp"
 #include "simulation/good_sense.hpp"
+#include "simulation/history_interval.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/processor_clock.hpp"
 #include "simulation/run_place.hpp"
@@ -34,34 +35,6 @@ namespace {
 constexpr Real max_shaking = 0.15, max_mass = 0.01, max_contact_work = 0.01, max_stopped = 0.01;  // above them a warning
 constexpr Real max_beyond_force = 0.02;                                                           // of a limit of force, likewise
 
-/// What a stage of unknown duration is taken to last, s: as long as its body needs to go its width, or a wave to cross that a hundred times.
-Real typical_time(const settings::Case& c, const settings::StageSettings& stage)
-{
-  const Index rigid = stage.rigid.empty() ? main_rigid(c) : index_of(c.rigid, stage.rigid);
-  Real width = 0;
-  if (rigid != none) {
-    const bodies::RigidShapeSettings& shape = c.rigid[rigid].second.shape;
-    width = c.dimension() == 2 ? width_of<2>(bodies::make_shape<2>(shape)) : width_of<3>(bodies::make_shape<3>(shape));
-  }
-  if (width > 0 && stage.velocity && *stage.velocity != 0) return width / std::abs(*stage.velocity);
-  constexpr Real crossings = 100;
-  const material::Material& material = c.material.front().second;
-  return crossings * (width > 0 ? width : 1) / std::sqrt(p_wave_modulus(material) / inertia_density(material));
-}
-
-/// A thousandth of the time that the stages take, unless the user says.
-Real interval_of(const settings::Case& c)
-{
-  if (c.output.history_time) return *c.output.history_time;
-  Real time = 0;
-  for (const settings::StageSettings& stage : c.stage) {
-    const Real expected = expected_time(stage);
-    time += expected > 0 ? expected : drives(stage.kind) || ends_at_equilibrium(stage) ? typical_time(c, stage) : 0;
-  }
-  if (time <= 0) throw KeyError("output.history_time: is needed: no stage says how long it takes");
-  return time / 1000;
-}
-
 constexpr BigIndex steps_between_looks = 16;  // at all particles
 constexpr Real at_rest_in_period = 1e-3;      // of the displacement of failure: what soil at rest may drift by in a period
 
@@ -69,7 +42,7 @@ constexpr Real at_rest_in_period = 1e-3;      // of the displacement of failure:
 template <int dim>
 problem::Problem<dim> build_for(const RunRequest& request, const io::ScratchFolder& scratch)
 {
-  interval_of(request.settings);  // refuses a case in which it is not known
+  history_interval_of(request.settings);  // refuses a case in which it is not known
   const settings::Case c = case_to_run(request);
   const Real in_use = memory_in_use();
   refuse_without_memory<dim>(min_size<dim>(c), in_use);
@@ -89,7 +62,7 @@ MpmMethod<d>::MpmMethod(const RunRequest& request, const io::ScratchFolder& scra
     : memory_before_(memory_in_use()),
       case_(request.settings),
       problem_(build_for<d>(request, scratch)),
-      history_interval_(interval_of(request.settings)),
+      history_interval_(history_interval_of(request.settings)),
       recorder_(request.settings, model(), state()),
       frame_maker_(model(), state())
 {
