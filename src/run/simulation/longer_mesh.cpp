@@ -30,15 +30,15 @@ const mesh::SeabedMesh* bed_to_lengthen(const settings::Case& c)
 {
   const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
   const bool in_plane = c.method == settings::Method::mpm && c.geometry == settings::Geometry::plane_strain;
-  return bed != nullptr && in_plane && bed->pattern == mesh::SeabedPattern::lattice && !bed->trench && !bed->step ? bed : nullptr;
+  return bed != nullptr && in_plane && !bed->trench && !bed->step ? bed : nullptr;
 }
 
 const mesh::SeabedMesh& bed_of(const settings::Case& c)
 {
   if (const mesh::SeabedMesh* bed = bed_to_lengthen(c)) return *bed;
   throw InputError(
-      "--set: only a run of the material point method in plane strain on a mesh of kind = \"seabed\" and pattern = \"lattice\", without "
-      "trench and step, is resumed on a longer mesh: begin a new run");
+      "--set: only a run of the material point method in plane strain on a mesh of kind = \"seabed\" without trench and step is resumed on "
+      "a longer mesh: begin a new run");
 }
 
 /// From x = 0 to the left wall, m.

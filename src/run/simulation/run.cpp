@@ -224,10 +224,11 @@ std::string Run<Method>::command_to_lengthen() const
                : simulation::command_to_lengthen(request_, method_.sides());
 }
 
+/// Where the path is not that of the case: this the case's checks have looked at before the run.
 template <class Method>
 void Run<Method>::advise_longer_mesh()
 {
-  if (advised_) return;
+  if (advised_ || !(stage().kind == settings::StageKind::pipeline || state().stage.drive[model().axes.along].by_force)) return;
   const std::string command = command_to_lengthen();
   advised_ = !command.empty();
   if (advised_)
