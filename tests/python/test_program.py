@@ -173,6 +173,8 @@ def test_an_interrupt_leaves_a_checkpoint_from_which_a_run_goes_on(case: Path, t
     with pytest.raises(KeyboardInterrupt):
         berm.run(case, folder, set=long, threads=1, quiet=True)
     assert not berm.open(folder, berm.Run).finished and "stopped at t" in (folder / "run.log").read_text()
+    with pytest.raises(berm.InputError, match="allowed: mesh.near_left"):
+        berm.run(resume=folder, set={"mesh.depth": "1 m"}, quiet=True)
     assert berm.run(resume=folder, threads=1, quiet=True).finished
 
 

@@ -75,8 +75,8 @@ RunRequest on_longer_mesh(const RunRequest& resumed, const std::vector<std::stri
   const mesh::SeabedMesh& bed = bed_of(longer.settings);
   refuse_shorter("mesh.near_left", bed.near_left, before.near_left, false);
   refuse_shorter("mesh.near_right", bed.near_right, before.near_right, true);
-  refuse_shorter("the left end of the mesh", -left_of(bed), -left_of(before), false);
-  refuse_shorter("the right end of the mesh", bed.length - left_of(bed), before.length - left_of(before), true);
+  refuse_shorter("the left end of the mesh, -mesh.left,", -left_of(bed), -left_of(before), false);
+  refuse_shorter("the right end of the mesh, mesh.length - mesh.left,", bed.length - left_of(bed), before.length - left_of(before), true);
   if (input::resolved_toml(longer.settings) == input::resolved_toml(resumed.settings)) return resumed;
   longer.set = set;
   longer.shorter = std::make_shared<const RunRequest>(resumed);
