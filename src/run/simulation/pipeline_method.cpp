@@ -101,7 +101,7 @@ PipelineMethod::PipelineMethod(const RunRequest& request, const io::ScratchFolde
       last_(line_.count(), state().ledger),
       works_(line_.count(), 0),
       columns_(model(), line_.of_case().diameter / columns_of_diameter),
-      level_(columns_.heights(state()))
+      level_(line_.count(), columns_.heights(state()))
 {
   if (line_.of_case().settings.springs) springs_.emplace(first_.case_of_run());
   if (!model().earthworks.empty()) throw KeyError("pipeline: cannot be combined with fills and excavations");
@@ -268,11 +268,31 @@ void PipelineMethod::archive(Archive& k)
     k("stages", stages_);
     k("berms", berms_);
     k("first_frame_of_berms", first_frame_of_berms_);
+    for (std::size_t s = 0; of.state().lengthened && s < of.level_.size(); ++s) k.fixed(fmt::format("level_{}", s), of.level_[s]);
     if (!k.reads()) return;
-    if (&of != this) berms_ = on_columns(columns_, of.columns_, berms_);
+    if (&of != this) take_berms(of);
     if (shapes_.size() != stages_.size() * static_cast<std::size_t>(line_.of_case().line.nodes()) * numbers_of_node)
       k.refuse("the shapes of the line are incomplete");
   });
+}
+
+/// The rise of soil on the columns of a shorter mesh. What it counts from here is found from it: carried particles do not lie as those of the start.
+void PipelineMethod::take_berms(const PipelineMethod& before)
+{
+  berms_ = on_columns(columns_, before.columns_, berms_);
+  for (std::size_t s = 0; s < level_.size(); ++s) {
+    std::vector<Real> rise = before.columns_.heights(before.slice(s));
+    for (std::size_t c = 0; c < rise.size(); ++c) rise[c] -= before.level_[s][c];
+    rise = on_columns(columns_, before.columns_, rise);
+    level_[s] = columns_.heights(slice(s));
+    for (std::size_t c = 0; c < rise.size(); ++c) level_[s][c] -= rise[c];
+  }
+}
+
+/// The first one, until all are there.
+const problem::State<2>& PipelineMethod::slice(std::size_t k) const
+{
+  return k == 0 || !line_.is_coupled() ? state() : line_.slice(k);
 }
 
 void PipelineMethod::add_row(run_folder::HistoryFile& file)
@@ -340,13 +360,13 @@ void PipelineMethod::add_slices(run_folder::Row& row)
   energy_error_of_slices_ = energy_error_of_slices();
   const Real time = state().time - last_row_;
   for (std::size_t k = 0; k < line_.count(); ++k) {
-    const problem::State<2>& slice = k == 0 || !line_.is_coupled() ? state() : line_.slice(k);
-    const Vec<2> impulse = difference<2>(slice.ledger, last_[k]).contact_sums[0].impulse;  // of the soil on the pipe
+    const problem::State<2>& now = slice(k);
+    const Vec<2> impulse = difference<2>(now.ledger, last_[k]).contact_sums[0].impulse;  // of the soil on the pipe
     const Vec<2> reaction = time > 0 ? Vec<2>(impulse / time) : Vec<2>(Vec<2>::Zero());
-    last_[k] = slice.ledger;
+    last_[k] = now.ledger;
     if (k == 0) continue;  // the main columns
     row.of(fmt::format("slice_{}", k));
-    observe<2>(row, response_of<2>(model(), slice, 0, reaction));
+    observe<2>(row, response_of<2>(model(), now, 0, reaction));
   }
 }
 
@@ -383,10 +403,10 @@ void PipelineMethod::note_berms()
     first_frame_of_berms_ = static_cast<Index>(stages_.size());
     return;
   }
-  const std::size_t size = level_.size(), begin = berms_.size();
+  const std::size_t size = columns_.middles().size(), begin = berms_.size();
   for (std::size_t k = 0; k < line_.count(); ++k) {
-    const std::vector<Real> now = columns_.heights(k == 0 ? state() : line_.slice(k));
-    for (std::size_t c = 0; c < size; ++c) berms_.push_back(now[c] - level_[c]);
+    const std::vector<Real> now = columns_.heights(slice(k));
+    for (std::size_t c = 0; c < size; ++c) berms_.push_back(now[c] - level_[k][c]);
   }
   gather_on_first_rank([&](Archive& k, int rank) {
     for (std::size_t s = 0; s < line_.count(); ++s) {
@@ -405,7 +425,7 @@ void PipelineMethod::write_berms() const
   std::string text = "frame,slice,x_m";
   for (const Real y : columns_.middles()) fmt::format_to(std::back_inserter(text), ",rise_m_at_{:.3f}_m", y);
   text += '\n';
-  const std::size_t size = level_.size(), slices = line_.count();
+  const std::size_t size = columns_.middles().size(), slices = line_.count();
   for (std::size_t row = 0; row < berms_.size() / size; ++row) {
     fmt::format_to(std::back_inserter(text), "{},{},{:.6g}", first_frame_of_berms_ + static_cast<Index>(row / slices), row % slices,
                    line_.of_case().places[row % slices]);

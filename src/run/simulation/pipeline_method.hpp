@@ -63,6 +63,8 @@ private:
   Real energy_error_of_slices();
   void note_shape();
   void note_berms();
+  void take_berms(const PipelineMethod& before);
+  const problem::State<2>& slice(std::size_t k) const;
   void write_shapes() const;
   void write_berms() const;
   bool find_springs();
@@ -85,8 +87,9 @@ private:
   std::vector<Real> shapes_;                          ///< numbers of line.csv, by frame and node
   std::vector<Index> stages_;                         ///< by frame
   slices::SoilColumns columns_;                       ///< of the soil of a slice
-  std::vector<Real> level_, berms_;  ///< m: their heights before the first step, and how far they have risen, by frame, slice and column
-  Index first_frame_of_berms_ = 0;   ///< once the slices are coupled
+  std::vector<std::vector<Real>> level_;              ///< m, by slice: their heights before the first step
+  std::vector<Real> berms_;                           ///< m: how far they have risen, by frame, slice and column
+  Index first_frame_of_berms_ = 0;                    ///< once the slices are coupled
 };
 
 }  // namespace berm::simulation
