@@ -353,8 +353,8 @@ public:
 private:
   void archive(Archive& k)
   {
-    k.table("increments", [&] { frame_maker_.archive(k); });
     k.table("state", [&] { problem::archive(k, problem_.model, problem_.state); });
+    k.table("increments", [&] { frame_maker_.archive(k, problem_.state.lengthened); });
   }
   void go_on() const
   {

@@ -53,6 +53,7 @@ public:
   }
 
   std::vector<Parent<dim>>& parents() { return parents_; }
+  std::int32_t numbered() const { return next_; }
 
   bodies::Particles<dim> particles(const std::vector<bodies::ExtraField>& extra) const
   {
@@ -107,7 +108,7 @@ private:
       part.x = places[k];
       part.volume *= fraction;
       part.mass *= fraction;
-      part.id = k == 0 ? particle.id : next_++;
+      part.id = next_++;
       add(part, {particle.id, places[k] - particle.x});
     }
   }
@@ -152,13 +153,13 @@ LengthenedBed<dim> lengthen(const settings::Case& c, const Model<dim>& before, c
   const Real left = before.mesh.lower[0], right = before.mesh.upper[0];
   for (std::size_t b = 0; b < state.particles.size(); ++b) {
     const bodies::Particles<dim>&was = state.particles[b], &start = fresh.particles[b];
-    Carrier<dim> carrier(c.body[b].second, model.mesh, was.size());
+    Carrier<dim> carrier(c.body[b].second, model.mesh, state.numbered[b]);
     carrier.carry(before.mesh, was, start);
     start.visit([&](Index, Index block, int lane) {
       if (const bodies::Particle<dim> p = start.read(block, lane); p.x[0] < left || p.x[0] > right) carrier.lay(p);
     });
     bed.state.particles[b] = carrier.particles(start.extra_fields());
-    bed.state.numbered[b] = bed.state.particles[b].size();
+    bed.state.numbered[b] = carrier.numbered();
     bed.parents.push_back(std::move(carrier.parents()));
   }
   return bed;

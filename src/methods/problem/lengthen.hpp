@@ -23,7 +23,7 @@ template <int dim>
 std::string not_to_lengthen(const Model<dim>& model);
 
 /// A state on the longer mesh of the same seabed. Particles stay where they are; one beyond the fine zone before that is larger than those of its new cell is divided among the places that
-/// particles of `fresh`, the start on the longer mesh, have around it: mass, momentum, kinetic energy, volume and volume times stress are kept. Beyond the ends of the mesh before lies the soil of
+/// particles of `fresh`, the start on the longer mesh, have around it: mass, momentum, kinetic energy, volume and volume times stress are kept, and the parts have new numbers. Beyond the ends of the mesh before lies the soil of
 /// `fresh`. The stable time step is to be found anew.
 template <int dim>
 LengthenedBed<dim> lengthen(const settings::Case& c, const Model<dim>& before, const State<dim>& state, const Model<dim>& model,

@@ -67,6 +67,7 @@ FileHashes hashes_in(const Json& json)
 void write(const fs::path& run_folder, const Origin& origin)
 {
   Json json = {{"case", origin.case_file}, {"set", origin.set}, {"input_sha256", json_of(origin.input)}, {"sessions", Json::array()}};
+  if (origin.lengthened) json["lengthened"] = true;
   for (const RunSession& session : origin.sessions)
     json["sessions"].push_back({{"begun", session.begun},
                                 {"resumption", session.resumption},
@@ -108,6 +109,7 @@ void note_change(const fs::path& run_folder, const fs::path& changed, const std:
     if (same != origin.input.end()) same->second = hash;
   }
   for (const std::string& change : set) origin.set.push_back(one_line(change));
+  origin.lengthened = true;
   write(changed, origin);
 }
 
@@ -141,7 +143,11 @@ std::optional<Origin> read_origin(const fs::path& run_folder)
   if (!fs::exists(file, error)) return std::nullopt;
   try {
     const Json json = read_json(file);
-    Origin origin{hashes_in(json.at("input_sha256")), {}, json.value("case", ""), json.value("set", std::vector<std::string>())};
+    Origin origin{hashes_in(json.at("input_sha256")),
+                  {},
+                  json.value("case", ""),
+                  json.value("set", std::vector<std::string>()),
+                  json.value("lengthened", false)};
     for (const Json& session : json.at("sessions"))
       origin.sessions.push_back({session.at("begun").get<std::string>(), session.at("version").get<std::string>(),
                                  session.at("build").get<std::string>(), hashes_in(session.at("program_sha256")),

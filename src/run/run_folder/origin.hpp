@@ -30,6 +30,7 @@ struct Origin {
   std::vector<RunSession> sessions;
   std::string case_file{};         ///< its name; "" in a run of an earlier version
   std::vector<std::string> set{};  ///< what was changed in it, each KEY=VALUE
+  bool lengthened = false;         ///< the last of that was a longer mesh, on which the run was resumed: particles were divided and added
 
   /// Whether the session is known that began the run.
   bool begins() const { return !sessions.empty() && !sessions.front().resumption; }

@@ -94,6 +94,7 @@ TEST_F(LongerMesh, goes_on_as_a_run_that_had_it_from_the_start)
   const auto origin = run_folder::read_origin(folder_ / "parts");
   ASSERT_TRUE(origin);
   EXPECT_EQ(origin->set, further);
+  EXPECT_TRUE(origin->lengthened);
   const record::RunRecord record = record::read_run(folder_ / "parts");
   EXPECT_EQ(std::get<mesh::SeabedMesh>(record.settings.mesh).near_right, 1);
 }

@@ -109,10 +109,10 @@ FilmFrames read_footage(const record::RunRecord& run, std::size_t max_memory, Fi
       return footage;
     }
     const auto& bodies = run.settings.body;
-    const bool soil_changes = std::any_of(bodies.begin(), bodies.end(),
-                                          [](const auto& body) { return !body.second.fill.empty() || !body.second.excavation.empty(); });
+    const bool earthworks = std::any_of(bodies.begin(), bodies.end(),
+                                        [](const auto& body) { return !body.second.fill.empty() || !body.second.excavation.empty(); });
     const FilmReader reader(files, run.settings.dimension(), base::drives_a_body(run.settings) ? base::body_word(run.settings) : "",
-                            soil_changes, part);
+                            earthworks || (run.origin && run.origin->lengthened), part);
     footage.sizes = reader.sizes();
     footage.triangles = reader.triangles();
     footage.one_of = reader.one_of();
