@@ -220,12 +220,19 @@ void SpaceAssembly::carry_tied_nodes(std::vector<Real>& change) const
 
 Vec<3> SpaceAssembly::reaction(Index contact) const
 {
-  return -Eigen::Map<const Vec<3>>(&soil_force_[model_.rigid_unknown(contact)]);
+  Vec<3> force = -Eigen::Map<const Vec<3>>(&soil_force_[model_.rigid_unknown(contact)]);
+  for (int d = 0; d < 3; ++d)
+    if (model_.model.mirrored[d]) force[d] = 0;
+  return force;
 }
 
 Vec<3> SpaceAssembly::torque(Index contact) const
 {
-  return -Eigen::Map<const Vec<3>>(&soil_force_[model_.rigid_unknown(contact) + 3]);
+  Vec<3> moment = -Eigen::Map<const Vec<3>>(&soil_force_[model_.rigid_unknown(contact) + 3]);
+  for (int across = 0; across < 3; ++across)
+    for (int d = 0; d < 3; ++d)
+      if (model_.model.mirrored[across] && d != across) moment[d] = 0;
+  return moment;
 }
 
 void SpaceAssembly::accept(SpaceState& state, const std::vector<Real>& change, const ElementLoads<3>& loads) const

@@ -39,7 +39,7 @@ public:
   Real unbalanced() const { return unbalanced_; }
   Real contact_force() const { return contact_force_; }
 
-  /// Force of the soil on the rigid body of a contact, N, and its moment about the body's centre, N m.
+  /// Force of the soil on the rigid body of a contact, N, and its moment about the body's centre, N m; without what its mirror image balances.
   Vec<3> reaction(Index contact) const;
   Vec<3> torque(Index contact) const;
 
