@@ -31,8 +31,8 @@ inline fem::SpaceProblem space_problem_of(const settings::Case& c)
   return fem::build_in_space(c, mesh::make_box<3>(std::get<mesh::BoxMesh>(c.mesh)));
 }
 
-/// The places of `inside` cells from 0 to R = 1 m whose sizes fall by `ratio`, and of cells from there to `far` that grow by a quarter each.
-inline std::vector<Real> graded(int inside, Real ratio, Real far)
+/// The places of `inside` cells from 0 to R = 1 m whose sizes fall by `ratio`, and of cells from there to `far` that grow by a factor each.
+inline std::vector<Real> graded(int inside, Real ratio, Real growth, Real far)
 {
   std::vector<Real> at{0};
   Real size = 1;
@@ -40,7 +40,7 @@ inline std::vector<Real> graded(int inside, Real ratio, Real far)
   for (Real& x : at) x /= at[static_cast<std::size_t>(inside)];
   Real step = at[static_cast<std::size_t>(inside)] - at[static_cast<std::size_t>(inside) - 1];
   const auto first = static_cast<std::ptrdiff_t>(at.size());
-  while (at.back() < far) at.push_back(at.back() + step), step *= 1.25;
+  while (at.back() < far) at.push_back(at.back() + step), step *= growth;
   const Real stretch = (far - 1) / (at.back() - 1);
   std::for_each(at.begin() + first, at.end(), [&](Real& x) { x = 1 + (x - 1) * stretch; });
   return at;
@@ -49,9 +49,10 @@ inline std::vector<Real> graded(int inside, Real ratio, Real far)
 /// A quarter of a disk of R = 1 m, or of a square of that half width, tied to the ground at y = 0, and pushed down at 1 m/s.
 struct SpaceFooting {
   bool square = false;
-  int cells = 4;     ///< across R
-  Real ratio = 1.5;  ///< of their sizes from each to the next towards the edge
-  Real far = 3;      ///< m, where the soil ends, and how deep
+  int cells = 4;       ///< across R
+  Real ratio = 1.5;    ///< of their sizes from each to the next towards the edge
+  Real growth = 1.25;  ///< of the cells outside
+  Real far = 3;        ///< m, where the soil ends, and how deep
   material::Material soil;
 
   settings::Case settings() const
@@ -77,10 +78,10 @@ struct SpaceFooting {
 
   mesh::Mesh<3> mesh() const
   {
-    const std::vector<Real> r = graded(cells, ratio, far);
+    const std::vector<Real> r = graded(cells, ratio, growth, far);
     std::vector<Real> depth{0};
     Real step = r[static_cast<std::size_t>(cells)] - r[static_cast<std::size_t>(cells) - 1];
-    while (depth.back() < far) depth.push_back(depth.back() + step), step *= 1.25;
+    while (depth.back() < far) depth.push_back(depth.back() + step), step *= growth;
     const Real stretch = far / depth.back();
     const int n = static_cast<int>(r.size()) - 1, m = static_cast<int>(depth.size()) - 1;
     mesh::BoxMesh box;

@@ -21,17 +21,17 @@ namespace {
 constexpr const char* larger_elements = "take larger elements";
 constexpr Real iterations_a_stage = 100;
 
-/// The soil ends at the surface of a rigid body; a bed has no cells above it.
-settings::Case without_headroom(settings::Case c)
+/// The minimum number of elements that a case can have, before its mesh is made: there are none above the bed.
+Real min_elements(settings::Case c)
 {
   if (auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) bed->headroom = bed->near_height = 0;
-  return c;
+  return min_size<3>(c).cells;
 }
 
 fem::SpaceProblem build_for(const RunRequest& request, const io::ScratchFolder& scratch)
 {
-  const settings::Case c = without_headroom(case_to_run(request));
-  const Real elements = min_size<3>(c).cells;
+  const settings::Case c = case_to_run(request);
+  const Real elements = min_elements(c);
   refuse_without_memory(elements * fem::SpaceAssembly::bytes_of_element(), memory_in_use(), words_of_count(elements, "elements"),
                         larger_elements);
   refuse_without_memory_for_gmsh(c);
