@@ -162,7 +162,7 @@ struct Run::Parts {
   {
     if (ended) throw InputError(fmt::format("{}: the run has ended", what));
     visit([&](auto& open) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(open.method())>, simulation::FemMethod>)
+      if constexpr (simulation::FiniteElements<std::decay_t<decltype(open.method())>>)
         throw InputError(fmt::format("{}: is for method = \"mpm\": finite elements go from one equilibrium to the next", what));
       else
         act(open.method());
@@ -320,7 +320,7 @@ bool Run::is_axisymmetric() const
 double Run::contact_mass() const
 {
   return parts_->visit([](auto& open) -> double {
-    if constexpr (std::is_same_v<std::decay_t<decltype(open.method())>, simulation::FemMethod>)
+    if constexpr (simulation::FiniteElements<std::decay_t<decltype(open.method())>>)
       return 0;
     else
       return open.method().contact_mass();

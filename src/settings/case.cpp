@@ -495,8 +495,6 @@ void describe(Describe& d, Case& c)
   d.table("output", c.output, {.meaning = "output"});
   d.table("report", c.report, {.meaning = "project data for berm report; no effect on results"});
 
-  d.check(c.method == Method::mpm || c.dimension() == 2, "method",
-          "finite elements are plane: they need geometry = \"plane_strain\" or \"axisymmetric\"");
   bodies::check_entries(d, "gravity", c.gravity, c.dimension(), true);
   if (const auto* file = std::get_if<mesh::GmshFile>(&c.mesh)) {
     mesh::check_axes(d, "mesh.axes", file->axes, c.dimension());

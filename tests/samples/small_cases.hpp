@@ -25,6 +25,9 @@ inline const std::string small_fem_case = sample("fem_case.toml");
 /// and it may turn about its axis.
 inline const std::string small_space_case = sample("space_case.toml");
 
+/// Half of a square footing tied to clay, by 96 elements in space: pushed, then dragged along z while it may tilt.
+inline const std::string small_fem_space_case = sample("fem_space_case.toml");
+
 /// A pipe of 0.4 m that is laid on soft clay, on cells of D/5: 500 particles. Its line, which hardly bends, has four slices, 1 m apart, and is loaded sideways.
 inline const std::string small_line_case = sample("pipeline_case.toml");
 

@@ -12,24 +12,26 @@ namespace berm::fem {
 constexpr Real weight_of_end = 0.6;
 
 /// Loads of an increment, and the motion of the rigid body that it moves; the others are held.
-struct FemLoads {
-  Vec<2> gravity = Vec<2>::Zero();    ///< m/s2
-  std::vector<Real> tractions;        ///< load factor of each; none where empty
-  std::vector<Real> heads;            ///< Pa, excess pore pressure of each; none where empty
-  Real initial_imbalance_factor = 0;  ///< fraction of the initial unbalanced forces that fictitious forces still balance
-  Real dt = 0;                        ///< s, duration of the increment; 0: none, so that no strain rate is defined, and no water flows
-  bool drained = false;               ///< there is no excess pore pressure
-  Index moved = 0;                    ///< the contact of the body that moves
+template <int dim>
+struct ElementLoads {
+  Vec<dim> gravity = Vec<dim>::Zero();  ///< m/s2
+  std::vector<Real> tractions;          ///< load factor of each; none where empty
+  std::vector<Real> heads;              ///< Pa, excess pore pressure of each; none where empty
+  Real initial_imbalance_factor = 0;    ///< fraction of the initial unbalanced forces that fictitious forces still balance
+  Real dt = 0;                          ///< s, duration of the increment; 0: none, so that no strain rate is defined, and no water flows
+  bool drained = false;                 ///< there is no excess pore pressure
+  Index moved = 0;                      ///< the contact of the body that moves
   struct Direction {
     bool by_force = false;
-    Real value = 0;     ///< m (rad): prescribed movement in this increment; or N/m (N m/m): force on the body
-    Real mass = 0;      ///< kg/m (kg m), that this force accelerates; 0: without inertia
-    Real velocity = 0;  ///< m/s (rad/s), at the start of the increment
-  } rigid[3];           ///< x, y, angle of this body
+    Real value = 0;                ///< m (rad): prescribed movement in this increment; or N/m (N m/m): force on the body
+    Real mass = 0;                 ///< kg/m (kg m), that this force accelerates; 0: without inertia
+    Real velocity = 0;             ///< m/s (rad/s), at the start of the increment
+  } rigid[bodies::freedoms<dim>];  ///< x, y, angle of this body; in space x, y, z, and the rotations about x, y and z
 
   /// Of the body of any contact.
   Direction direction_of(Index contact, Index d) const { return contact == moved ? rigid[d] : Direction{}; }
 };
+using FemLoads = ElementLoads<2>;
 
 /// Plastic dissipation of an increment, J/m, and what it lacks to that with the law's strength at the final stresses.
 struct StrengthLag {

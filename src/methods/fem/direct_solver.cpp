@@ -33,7 +33,7 @@ struct DirectSolver::Mumps {
   }
 };
 
-DirectSolver::DirectSolver(const SparsePattern& pattern, const std::vector<Index>& kept, MatrixKind kind)
+DirectSolver::DirectSolver(const SparsePattern& pattern, const std::vector<Index>& kept, MatrixKind kind, Ordering ordering)
     : mumps_(std::make_unique<Mumps>())
 {
   const Timer timer("order equations");
@@ -55,8 +55,8 @@ DirectSolver::DirectSolver(const SparsePattern& pattern, const std::vector<Index
   m.run(-1);
   for (const int stream : {1, 2, 3}) m.control(stream) = 0;  // no messages
   m.control(4) = 0;
-  m.control(6) = 0;    // no column permutation: the diagonal is suitable
-  m.control(7) = 4;    // nested dissection by PORD
+  m.control(6) = 0;  // no column permutation: the diagonal is suitable
+  m.control(7) = ordering == Ordering::scotch ? 3 : 4;
   m.control(14) = 60;  // per cent of memory beyond the estimate of the analysis phase
   m.call.n = pattern.size();
   m.call.nnz = static_cast<MUMPS_INT8>(m.row.size());

@@ -23,6 +23,9 @@ struct SparsePattern {
 /// A symmetric matrix with positive and negative eigenvalues is indefinite.
 enum class MatrixKind { positive_definite, indefinite, unsymmetric };
 
+/// Nested dissections: by PORD, which the plane has; by SCOTCH, which takes less memory and time in space.
+enum class Ordering { pord, scotch };
+
 /// Solves A x = b for matrices of one symmetric pattern with MUMPS (Amestoy, Duff, L'Excellent and
 /// Koster, SIAM J. Matrix Anal. Appl. 23, 2001), sequential. The order of elimination is computed once. Some unknowns may be
 /// kept to the end, for which the caller solves
@@ -32,7 +35,8 @@ enum class MatrixKind { positive_definite, indefinite, unsymmetric };
 /// (k: kept, o: the others). Of a positive definite kind only A_oo has to be that then.
 class DirectSolver {
 public:
-  explicit DirectSolver(const SparsePattern& pattern, const std::vector<Index>& kept = {}, MatrixKind kind = MatrixKind::positive_definite);
+  explicit DirectSolver(const SparsePattern& pattern, const std::vector<Index>& kept = {}, MatrixKind kind = MatrixKind::positive_definite,
+                        Ordering ordering = Ordering::pord);
   ~DirectSolver();
   DirectSolver(const DirectSolver&) = delete;
   DirectSolver& operator=(const DirectSolver&) = delete;

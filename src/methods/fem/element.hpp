@@ -29,6 +29,16 @@ inline constexpr std::array<std::array<int, 2>, 6> element_edges<3>{{{0, 1}, {1,
 /// Coordinates of the nodes in the reference triangle 0 <= r, s, r + s <= 1.
 inline const AtSixNodes<Vec<2>> six_nodes{Vec<2>{0, 0}, Vec<2>{1, 0}, Vec<2>{0, 1}, Vec<2>{0.5, 0}, Vec<2>{0.5, 0.5}, Vec<2>{0, 0.5}};
 
+/// Those of an element of any dimension.
+template <int dim>
+AtElementNodes<dim, Vec<dim>> element_node_places()
+{
+  AtElementNodes<dim, Vec<dim>> at;
+  for (int k = 0; k <= dim; ++k) at[k] = k == 0 ? Vec<dim>(Vec<dim>::Zero()) : Vec<dim>(Vec<dim>::Unit(k - 1));
+  for (int e = 0; const auto [j, k] : element_edges<dim>) at[dim + 1 + e++] = (at[j] + at[k]) / 2;
+  return at;
+}
+
 /// The barycentric coordinates l of a point of the reference element: l_0 = 1 - r - s (in space less t), then the point's own.
 template <int dim>
 std::array<Real, dim + 1> barycentric(const Vec<dim>& at)

@@ -88,12 +88,14 @@ struct FemModel {
 };
 
 /// State of the soil at an integration point.
-struct SoilPoint {
-  SymTensor<2> stress;                                ///< Pa, tension positive
+template <int dim>
+struct ElementSoil {
+  SymTensor<dim> stress;                              ///< Pa, tension positive
   std::array<Real, material::max_state> law_state{};  ///< state variables of the law: material::state_fields
   Real deviatoric_strain = 0;                         ///< accumulated
   Real overstress = 0;                                ///< Pa, distance of the stress from the yield surface, in the norm of a tensor
 };
+using SoilPoint = ElementSoil<2>;
 
 /// Moments at which places of the soil are kept in large deformations: the start, the last frame, and that from which displacements count.
 enum class Moment { start, last_frame, zero };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fem/load_steps.hpp"
 
+#include "fem/stage_increments.hpp"
+
 #include "os/error.hpp"
 #include "problem/stages.hpp"
 
@@ -169,55 +171,6 @@ void LoadSteps::begin()
   largest_pressure_ = 0;
 }
 
-Real LoadSteps::travel(int freedom, Real from, Real to) const
-{
-  const bodies::Drive& drive = state_.state.stage.drive[freedom];
-  const Real ramp = stage().ramp;
-  const auto until = [&](Real t) { return t < ramp ? drive.to * t * t / (2 * ramp) : drive.to * (t - ramp / 2); };
-  return drive.by_force ? 0 : until(to) - until(from);
-}
-
-Real LoadSteps::up_to_the_end(Real dt) const
-{
-  const problem::StageState<2>& now = state_.state.stage;
-  const settings::Until& until = stage().until;
-  const Real since = state_.state.time - now.begin_time;
-  if (until.time) dt = std::min(dt, *until.time - since);
-  if (driven() == none) return dt;
-  const auto cut = [&](const auto& gone_after, Real left) {
-    Real low = 0, high = dt;
-    if (gone_after(dt) <= left) return;
-    for (int k = 0; k < 60; ++k) {
-      const Real middle = (low + high) / 2;
-      (gone_after(middle) < left ? low : high) = middle;
-    }
-    dt = high;
-  };
-  const auto along = [&](int direction) { return [&, direction](Real step) { return std::abs(travel(direction, since, since + step)); }; };
-  const Vec<2> moved = state_.state.rigid_bodies[driven()].displacement - now.begin_displacement;
-  const auto distance = [&](Real step) {
-    return Vec<2>(moved[0] + travel(0, since, since + step), moved[1] + travel(1, since, since + step)).norm();
-  };
-  if (until.displacement && stage().kind == settings::StageKind::drive)
-    cut(distance, *until.displacement);
-  else if (until.displacement)
-    cut(along(0), *until.displacement - std::abs(moved[0]));
-  if (until.embedment && travel(1, since, since + dt) != 0) {
-    const Real left = *until.embedment - travel_of(model_.model, state_.state, driven()).w;
-    cut(along(1), lifts(model_.model, state_.state) ? -left : left);
-  }
-  return up_to_a_load(dt, since);
-}
-
-/// A load history is linear within an increment.
-Real LoadSteps::up_to_a_load(Real dt, Real since) const
-{
-  constexpr Real round_off = 1e-9;
-  for (const Real time : stage().load_times)
-    if (const Real left = time * stage().time_scale - since; left > round_off * dt) return std::min(dt, left);
-  return dt;
-}
-
 /// Gravity, tractions and heads at a time.
 FemLoads LoadSteps::dead_loads(Real time) const
 {
@@ -243,22 +196,12 @@ FemLoads LoadSteps::loads_after(Real dt) const
   for (int f = 0; f < bodies::freedoms<2>; ++f) {
     const bodies::Drive& drive = now.drive[f];
     loads.rigid[f] = {drive.by_force,
-                      drive.by_force ? drive_now(model_.model, state_.state, stage(), drive, f, since + dt) : travel(f, since, since + dt),
+                      drive.by_force ? drive_now(model_.model, state_.state, stage(), drive, f, since + dt)
+                                     : travel_of_drive(stage(), now.drive[f], since, since + dt),
                       mass_of_body(f), f < 2 ? body.velocity[f] : body.angular_velocity};
     if (loads.rigid[f].mass > 0 && dt == 0) loads.rigid[f] = {};  // held while time stands still
   }
   return loads;
-}
-
-/// The part of the increment in hand after which the stage's limit of force is reached; 1 where it is not.
-Real LoadSteps::part_within_force(const IncrementEnd& end) const
-{
-  const std::optional<Real>& limit = stage().until.force;
-  if (!limit || driven() == none || !end.converged) return 1;
-  const Real before = resistance(model_.model, state_.state, state_.state.rigid_bodies[driven()].reaction),
-             after = resistance(model_.model, state_.state, newton_->assembly().reaction(model_.contact_of(driven())));
-  const Real direction = lifts(model_.model, state_.state) ? -1 : 1;
-  return direction * (after - *limit) > std::abs(*limit) * 1e-4 ? std::max(0.1, (*limit - before) / (after - before)) : 1;
 }
 
 /// The equilibrium at the end of an increment; again with the strength there, as long as it lags and another pass helps. A pass that finds none or lags
@@ -362,13 +305,13 @@ IncrementEnd LoadSteps::advance()
   const Real largest_dt = longest_dt();
   Real shortest = 1;  // where a limit of force cuts the increment
   for (;;) {
-    const Real dt = up_to_the_end(std::min(dt_, largest_dt) * shortest * (remesher_ ? past_the_end : 1));
+    const Real dt = up_to_the_end(model_.model, state_.state, std::min(dt_, largest_dt) * shortest * (remesher_ ? past_the_end : 1));
     const FemLoads loads = loads_after(dt);
     std::vector<Real> change(model_.unknowns(), 0.);
     if (last_dt_ > 0)
       for (std::size_t k = 0; k < change.size(); ++k) change[k] = last_change_[k] * (dt / last_dt_);
     const IncrementEnd end = find_equilibrium(loads, dt, change);
-    if (const Real part = part_within_force(end); part < 1 && shortest > 1e-6) {
+    if (const Real part = end.converged ? part_within_force(model_.model, state_.state, reaction_now()) : 1; part < 1 && shortest > 1e-6) {
       shortest *= part;
       continue;
     }

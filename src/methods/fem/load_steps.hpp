@@ -79,12 +79,12 @@ private:
   Real speed_of_body() const;
   Real mass_of_body(int freedom) const;
   Real inertia_error(const std::vector<Real>& change, const FemLoads& loads) const;
-  Real travel(int freedom, Real from, Real to) const;
-  Real up_to_the_end(Real dt) const;
-  Real up_to_a_load(Real dt, Real since) const;
   FemLoads dead_loads(Real time) const;
   FemLoads loads_after(Real dt) const;
-  Real part_within_force(const IncrementEnd& end) const;
+  Vec<2> reaction_now() const
+  {
+    return driven() == none ? Vec<2>(Vec<2>::Zero()) : newton_->assembly().reaction(model_.contact_of(driven()));
+  }
   IncrementEnd find_equilibrium(const FemLoads& loads, Real dt, std::vector<Real>& change);
   Real next_dt_of_flow(const std::vector<Real>& change, Real dt);
   void accept(const std::vector<Real>& change, const FemLoads& loads, const IncrementEnd& end, Real force_change);

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fem/newton.hpp"
 
+#include "fem/line_search.hpp"
+
 #include <algorithm>
 
 namespace berm::fem {
 namespace {
 
 constexpr int max_iterations = 25;
-constexpr int max_chords = 12;
-constexpr Real shortest_unfolded = 1e-3;    // of a step: large deformations may fold an element
 constexpr Real rounding_of_gap = 1e-12;     // over the width
-constexpr Real gentle_slope = 0.1;          // of the first slope: ends the line search
 constexpr Real least_part = 1. / 64;        // of a step, where the residual decides
 constexpr Real barrier = 10;                // over the residual: one that a whole step may end at where no part of it is better
 constexpr Real max_unbalanced_flow = 1e-6;  // of the water: its balance is linear, and holds after a whole step but for rounding
@@ -115,20 +114,7 @@ void Newton::search_line(const FemState& begin, const FemLoads& loads, Real visc
     assembly_.evaluate(begin, change, loads, viscosity);
     return slope();
   };
-  Real at = 1, here = go(1), low = 0, low_slope = first, high = 0, high_slope = 0;
-  for (; at > shortest_unfolded && !std::isfinite(here); at /= 2) here = go(-at / 2);
-  if (!(first < 0)) return;
-  for (int k = 0; k < max_chords && !(std::abs(here) <= -gentle_slope * first); ++k) {
-    if (here < 0 && high == 0) return;  // still downhill after the whole step
-    if (here < 0)
-      low = at, low_slope = here;
-    else
-      high = at, high_slope = here;
-    // The chord creeps where the slope has a bend: every third time the middle.
-    const Real next = k % 3 == 2 ? (low + high) / 2 : low + (high - low) * std::clamp(-low_slope / (high_slope - low_slope), 0.1, 0.9);
-    here = go(next - at);
-    at = next;
-  }
+  search_along_step(first, go);
 }
 
 IncrementEnd Newton::find_equilibrium(const FemState& begin, const FemLoads& loads, Real viscosity, std::vector<Real>& change)

@@ -43,16 +43,16 @@ constexpr bool has_unsymmetric_tangent()
 }
 
 /// The law's stress, mixed with its elastic trial stress.
-template <class Law>
-void update_point(const Law& law, Real viscosity, const material::Increment<2, Real>& increment, SoilPoint& point)
+template <class Law, int dim>
+void update_point(const Law& law, Real viscosity, const material::Increment<dim, Real>& increment, ElementSoil<dim>& point)
 {
-  const SymTensor<2>& strain = increment.strain;
-  SymTensor<2> trial = point.stress;
+  const SymTensor<dim>& strain = increment.strain;
+  SymTensor<dim> trial = point.stress;
   add_elastic_stress(law.elastic, trial, strain);
   update(law, point.stress, increment, point.law_state.data());
   if constexpr (!has_constant_moduli<Law>()) viscosity = 0;
-  SymTensor<2> over;
-  for (int k = 0; k < 4; ++k) {
+  SymTensor<dim> over;
+  for (int k = 0; k < tensor_size<dim>; ++k) {
     over[k] = (trial[k] - point.stress[k]) * (viscosity / (1 + viscosity));
     point.stress[k] += over[k];
   }
@@ -95,6 +95,28 @@ PointStiffness stiffness_of_point(const Law& law, Real viscosity, const material
   const Real lost = (1 - min_stiffness) / (1 + viscosity);
   return {elastic.plane - lost * (elastic.plane - d), elastic.across - lost * (elastic.across - across),
           elastic.along - lost * (elastic.along - along), elastic.around - lost * (elastic.around - all(3, 3))};
+}
+
+/// Likewise in space, of (xx, yy, zz, xy, yz, xz) by the strains, shear strains gamma; without law its elastic stiffness.
+using StiffnessInSpace = material::TangentInSpace;
+
+inline StiffnessInSpace elastic_stiffness_in_space(const material::Elasticity& elastic)
+{
+  StiffnessInSpace c = StiffnessInSpace::Zero();
+  c.topLeftCorner<3, 3>().setConstant(elastic.lame);
+  for (int k = 0; k < 3; ++k) c(k, k) += 2 * elastic.shear, c(k + 3, k + 3) = elastic.shear;
+  return c;
+}
+
+template <class Law>
+StiffnessInSpace stiffness_of_point(const Law& law, Real viscosity, const material::Increment<3, Real>& increment, ElementSoil<3> point)
+{
+  if constexpr (!has_constant_moduli<Law>()) viscosity = 0;
+  material::TangentInSpace d;
+  update_stress_and_tangent(law, point.stress, increment, point.law_state.data(), d);
+  if constexpr (!has_unsymmetric_tangent<Law>()) d = ((d + d.transpose()) / 2).eval();
+  const StiffnessInSpace elastic = elastic_stiffness_in_space(law.elastic);
+  return elastic - (1 - min_stiffness) / (1 + viscosity) * (elastic - d);
 }
 
 /// Rotates the tensor among the state variables of a law that has one in use.

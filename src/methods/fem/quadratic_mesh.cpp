@@ -10,33 +10,12 @@
 namespace berm::fem {
 namespace {
 
-// The body of each region of the mesh, or none.
-std::vector<Index> bodies_of_regions(const mesh::Mesh<2>& mesh, const settings::Case& c)
-{
-  std::vector<Index> body_of(mesh.region_names.size(), none);
-  for (Index b = 0; b < static_cast<Index>(c.body.size()); ++b) {
-    const auto& [name, body] = c.body[b];
-    if (body.block || body.disk)
-      throw KeyError(fmt::format("body.{}.{}: for finite elements a body must fill regions of the mesh: regions = [...]", name,
-                                 body.block ? "block" : "disk"));
-    for (const std::string& region : body.regions) {
-      Index& holder = body_of[bodies::filled_region(mesh, name, region)];
-      if (holder != none && holder != b)
-        throw KeyError(fmt::format("body.{}.regions: the region \"{}\" is filled by [body.{}] already; for finite elements a region has "
-                                   "one body",
-                                   name, region, c.body[holder].first));
-      holder = b;
-    }
-  }
-  return body_of;
-}
-
 // Makes 6-node triangles of the cells of bodies.
 class Maker {
 public:
   Maker(const mesh::Mesh<2>& mesh, const settings::Case& c)
       : mesh_(mesh),
-        body_of_(bodies_of_regions(mesh, c)),
+        body_of_(bodies_of_elements(mesh, c)),
         node_number_(mesh.node_count(), none),
         cell_number_(mesh.cell_count(), none)
   {
@@ -155,24 +134,45 @@ void bend_onto(QuadraticMesh& mesh, const bodies::RigidShape<2>& shape)
   }
 }
 
-void check_unfolded(const QuadraticMesh& mesh)
+}  // namespace
+
+template <int dim>
+std::vector<Index> bodies_of_elements(const mesh::Mesh<dim>& mesh, const settings::Case& c)
 {
-  for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-    for (const Vec<2>& at : six_nodes)
-      if (const AtSixNodes<Vec<2>> x = mesh.positions_of(cell); jacobian(x, at).determinant() <= 0)
+  std::vector<Index> body_of(mesh.region_names.size(), none);
+  for (Index b = 0; b < static_cast<Index>(c.body.size()); ++b) {
+    const auto& [name, body] = c.body[b];
+    if (body.block || body.disk)
+      throw KeyError(fmt::format("body.{}.{}: for finite elements a body must fill regions of the mesh: regions = [...]", name,
+                                 body.block ? "block" : "disk"));
+    for (const std::string& region : body.regions) {
+      Index& holder = body_of[bodies::filled_region(mesh, name, region)];
+      if (holder != none && holder != b)
+        throw KeyError(fmt::format("body.{}.regions: the region \"{}\" is filled by [body.{}] already; for finite elements a region has "
+                                   "one body",
+                                   name, region, c.body[holder].first));
+      holder = b;
+    }
+  }
+  return body_of;
+}
+
+template <int dim>
+void refuse_folds(const QuadraticElements<dim>& mesh)
+{
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    const AtElementNodes<dim, Vec<dim>> x = mesh.positions_of(cell);
+    for (const Vec<dim>& at : element_node_places<dim>())
+      if (jacobian<dim>(x, shape_derivatives<dim>(at)).determinant() <= 0)
         throw KeyError(fmt::format("fem.contact_size: an element near ({:.6g}, {:.6g}) m is folded, because its side is too long for the "
                                    "rigid body's curve: the mesh must be finer there",
                                    x[0][0], x[0][1]));
+  }
 }
 
-}  // namespace
-
-AtSixNodes<Vec<2>> QuadraticMesh::positions_of(Index cell) const
-{
-  AtSixNodes<Vec<2>> x;
-  for (int k = 0; k < 6; ++k) x[k] = position[nodes[cell][k]];
-  return x;
-}
+template std::vector<Index> bodies_of_elements<2>(const mesh::Mesh<2>&, const settings::Case&);
+template std::vector<Index> bodies_of_elements<3>(const mesh::Mesh<3>&, const settings::Case&);
+template void refuse_folds<3>(const QuadraticElements<3>&);
 
 QuadraticMesh make_quadratic(const mesh::Mesh<2>& mesh, const settings::Case& c, const std::vector<bodies::RigidShape<2>>& shapes)
 {
@@ -209,7 +209,7 @@ QuadraticMesh make_quadratic(const mesh::Mesh<2>& mesh, const settings::Case& c,
   }
   for (const auto& [name, traction] : c.traction) maker.made.loaded_sides.push_back(maker.sides_at(loaded_boundary(mesh, name, traction)));
   for (const bodies::RigidShape<2>& shape : shapes) bend_onto(maker.made, shape);
-  check_unfolded(maker.made);
+  refuse_folds<2>(maker.made);
   return std::move(maker.made);
 }
 

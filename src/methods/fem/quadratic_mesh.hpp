@@ -13,24 +13,43 @@ struct BoundarySide {
   Index boundary = none;  ///< the first of the mesh's on which both ends lie; none: a hole
 };
 
-/// 6-node triangles that fill the bodies. Nodes are numbered by first use, cells as in the mesh they are made from.
-struct QuadraticMesh {
-  NodeField<Vec<2>> position;                            ///< m
-  CellField<AtSixNodes<Index>> nodes;                    ///< corners counter-clockwise, then the mid-side nodes of 01, 12 and 20
-  CellField<Index> body;                                 ///< of each cell, an index into Case::body
-  CellField<Index> region;                               ///< of each cell, an index into Mesh::region_names
-  std::vector<NodeField<std::uint8_t>> fixed;            ///< by set of supports, as boundary::NodeTable::held; bit d: fixed in direction d
+/// Quadratic elements that fill the bodies: 6-node triangles; in space 10-node tetrahedra. Nodes are numbered by first use, cells as in the mesh they are
+/// made from.
+template <int dim>
+struct QuadraticElements {
+  NodeField<Vec<dim>> position;                 ///< m
+  CellField<AtElementNodes<dim, Index>> nodes;  ///< corners, in the plane counter-clockwise, then the mid-side nodes of element_edges
+  CellField<Index> body;                        ///< of each cell, an index into Case::body
+  CellField<Index> region;                      ///< of each cell, an index into Mesh::region_names
+  std::vector<NodeField<std::uint8_t>> fixed;   ///< by set of supports, as boundary::NodeTable::held; bit d: fixed in direction d
+
+  Index node_count() const { return position.size(); }
+  Index cell_count() const { return nodes.size(); }
+  AtElementNodes<dim, Vec<dim>> positions_of(Index cell) const
+  {
+    AtElementNodes<dim, Vec<dim>> x;
+    for (int k = 0; k < element_nodes<dim>; ++k) x[k] = position[nodes[cell][k]];
+    return x;
+  }
+};
+
+/// In the plane, with what holds its water and its boundary.
+struct QuadraticMesh : QuadraticElements<2> {
   std::vector<NodeField<std::uint8_t>> impermeable;      ///< likewise: held by a support that is not drained
   std::vector<NodeField<boundary::Holders<2>>> holders;  ///< as boundary::NodeTable::reactions; empty where no reactions are reported
   std::vector<BoundarySide> boundary_sides;
   std::vector<std::vector<BoundarySide>> loaded_sides;  ///< by traction: those at its boundary
 
   std::vector<std::vector<Index>> head_nodes;  ///< by boundary::Head of the model: the corners at its boundary
-
-  Index node_count() const { return position.size(); }
-  Index cell_count() const { return nodes.size(); }
-  AtSixNodes<Vec<2>> positions_of(Index cell) const;
 };
+
+/// The body of each region of the mesh, or none. Throws KeyError where a body is a block or a disk, where a region is unknown, or where two bodies fill one.
+template <int dim>
+std::vector<Index> bodies_of_elements(const mesh::Mesh<dim>& mesh, const settings::Case& c);
+
+/// Throws KeyError where an element is folded.
+template <int dim>
+void refuse_folds(const QuadraticElements<dim>& mesh);
 
 /// Makes 6-node triangles of the cells in the regions of the bodies; other cells are left out, with the nodes that only they
 /// have. Nodes are fixed as the supports say; a mid-side node where its side is at the boundary and both ends are nodes of

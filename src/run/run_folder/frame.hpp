@@ -45,6 +45,7 @@ struct Frame {
   std::vector<std::int32_t> body, id;  ///< by point
   std::vector<FieldValues<Real>> fields;
   std::vector<std::array<Index, 6>> triangles;  ///< quadratic, of points: corners counter-clockwise, middles of sides 01 12 20; none in MPM
+  std::vector<std::array<Index, 10>> tetrahedra;  ///< in space likewise: corners, middles of sides 01 12 20 03 13 23
   std::vector<FrameRigid<dim>> rigid_bodies;
 
   /// Makes room for so many points and these fields, all zero; what there was is gone, its memory is used again.

@@ -59,8 +59,8 @@ std::vector<std::array<Index, 6>> triangles_in(const VtuFile& vtu)
   const auto all = [&](VtkCell wanted) {
     return std::all_of(types.begin(), types.end(), [&](std::uint8_t type) { return type == static_cast<std::uint8_t>(wanted); });
   };
-  if (all(VtkCell::vertex)) return {};
-  if (!all(VtkCell::quadratic_triangle)) vtu.refuse("is not a file of the soil: its cells are neither particles nor triangles");
+  if (all(VtkCell::vertex) || all(VtkCell::quadratic_tetrahedron)) return {};
+  if (!all(VtkCell::quadratic_triangle)) vtu.refuse("is not a file of the soil: its cells are neither particles nor elements");
   std::vector<std::array<Index, 6>> triangles;
   for (const std::vector<Index>& cell : cells_in(vtu)) {
     if (cell.size() != 6) vtu.refuse("is damaged: a triangle does not have six nodes");

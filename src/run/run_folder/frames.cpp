@@ -87,7 +87,7 @@ std::function<void()> FrameWriter<dim>::write_later(const Frame<dim>& frame, Com
   if (!times_.empty() && times_.back() == frame.time) return {};  // perhaps by the run that is resumed
   if (times_.empty()) {
     with_rigids_ = !frame.rigid_bodies.empty();
-    with_triangles_ = !frame.triangles.empty();
+    with_elements_ = !frame.triangles.empty() || !frame.tetrahedra.empty();
   }
   times_.push_back(frame.time);
   const Index number = static_cast<Index>(times_.size()) - 1;
@@ -127,7 +127,7 @@ void FrameWriter<dim>::archive(Archive& k)
 {
   k("times", times_);
   k("with_rigids", with_rigids_);
-  k("with_triangles", with_triangles_);
+  k("with_triangles", with_elements_);
   if (!k.reads()) return;
   for (const std::string& name : files())
     if (!std::filesystem::exists(folder_ / name)) k.refuse(fmt::format("{} is gone", (folder_ / name).string()));
@@ -172,9 +172,11 @@ Vtu::Packed FrameWriter<dim>::soil(const Frame<dim>& frame) const
   points.reserve(3 * count);  // a list that grows by doubling would take half as much again, of the memory of a large run
   for (const Vec<dim>& x : frame.points) append<dim>(points, x);
   Vtu vtu(std::move(points));
-  vtu.reserve_cells(with_triangles_ ? frame.triangles.size() : count, with_triangles_ ? 6 : 1);
+  const std::size_t elements = frame.triangles.size() + frame.tetrahedra.size();
+  vtu.reserve_cells(with_elements_ ? elements : count, !with_elements_ ? 1 : dim == 2 ? 6 : 10);
   for (const auto& nodes : frame.triangles) vtu.add_cell(VtkCell::quadratic_triangle, std::vector<Index>(nodes.begin(), nodes.end()));
-  if (!with_triangles_)
+  for (const auto& nodes : frame.tetrahedra) vtu.add_cell(VtkCell::quadratic_tetrahedron, std::vector<Index>(nodes.begin(), nodes.end()));
+  if (!with_elements_)
     for (Index k = 0; k < static_cast<Index>(count); ++k) vtu.add_cell(VtkCell::vertex, {k});
   vtu.set_time(frame.time);
   for (const FieldValues<Real>& field : frame.fields) {

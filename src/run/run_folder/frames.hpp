@@ -15,7 +15,7 @@ namespace berm::run_folder {
 template <int dim>
 std::size_t bytes_of_point_in_file(int more_numbers);
 
-/// Writes the frames of a run for ParaView: mesh.vtu once; at each frame particles_NNNN.vtu, or soil_NNNN.vtu where there are triangles,
+/// Writes the frames of a run for ParaView: mesh.vtu once; at each frame particles_NNNN.vtu, or soil_NNNN.vtu where there are elements,
 /// rigid_NNNN.vtu where there are rigid bodies, and frames.pvd, which lists all frames so far. Every file is written whole. Errors are RunErrors.
 /// Particles or nodes have all fields of the Frame, each with its label and unit, and volume, body and id. Vectors have three components there,
 /// symmetric tensors six (XX YY ZZ XY YZ XZ).
@@ -25,7 +25,7 @@ public:
   /// Makes the folder where it is missing and writes the mesh, unless another process does that.
   FrameWriter(const std::filesystem::path& folder, const mesh::Mesh<dim>& mesh, bool with_mesh = true);
 
-  /// Writes one frame, unless the last one written is of the same time. All frames of a run have triangles or none, rigid bodies or none.
+  /// Writes one frame, unless the last one written is of the same time. All frames of a run have elements or none, rigid bodies or none.
   void write(const Frame<dim>& frame);
   /// Who compresses a frame: the thread that asks for it to be written, with its team, or the one that writes it.
   enum class Compress { now, later };
@@ -50,11 +50,11 @@ private:
   void write_collection(const std::vector<Real>& times) const;
   std::vector<std::string> files() const;
   /// A thread that writes sees the same as the first frame was counted before.
-  const char* soil_kind() const { return with_triangles_ ? "soil" : "particles"; }
+  const char* soil_kind() const { return with_elements_ ? "soil" : "particles"; }
 
   std::filesystem::path folder_;
   std::vector<Real> times_;
-  bool with_rigids_ = false, with_triangles_ = false;
+  bool with_rigids_ = false, with_elements_ = false;
 };
 
 }  // namespace berm::run_folder

@@ -20,7 +20,8 @@ enum class VtkCell : std::uint8_t {
   quad = 9,
   tetrahedron = 10,
   hexahedron = 12,
-  quadratic_triangle = 22
+  quadratic_triangle = 22,
+  quadratic_tetrahedron = 24
 };
 
 /// An unstructured grid, to be written to a .vtu file: VTK's XML format, version 1.0, with appended little-endian data, each array

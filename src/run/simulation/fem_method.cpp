@@ -9,6 +9,7 @@
 #include "problem/stages.hpp"
 #include "settings/safety.hpp"
 #include "simulation/good_sense.hpp"
+#include "simulation/lost_soil.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/processor_clock.hpp"
 #include "simulation/run_place.hpp"
@@ -89,25 +90,6 @@ Real FemMethod::movement() const
   return largest;
 }
 
-/// Strains are small: soil of which a tenth has moved by more than the model is large is not held by anything. Single nodes may: sand without cohesion beside the edge of a footing flows
-/// away, and carries nothing.
-void FemMethod::refuse_lost_soil() const
-{
-  constexpr Index tenth = 10;
-  const fem::FemModel& of = problem_.model;
-  if (of.settings.large_deformation) return;
-  const std::vector<Real>& now = problem_.state.displacement;
-  const Vec<2> size = model().mesh.upper - model().mesh.lower;
-  Index lost = 0;
-  for (Index node = 0; node < of.mesh.node_count(); ++node)
-    if (const Real moved = std::hypot(now[2 * node], now[2 * node + 1]);
-        !std::isfinite(moved) || (moved > size.norm() && tenth * ++lost > of.mesh.node_count()))
-      throw RunError(
-          fmt::format("t = {:.6g} s: the soil at ({:.4g}, {:.4g}) m has moved by {:.3g} m, and the mesh is {:.3g} m wide and {:.3g} m "
-                      "high: it is too soft or too weak for its loads, or not supported",
-                      state().time, of.mesh.position[node][0], of.mesh.position[node][1], moved, size[0], size[1]));
-}
-
 bool FemMethod::is_last_stage() const
 {
   return state().stage.index + 1 == static_cast<Index>(model().stages.size());
@@ -160,7 +142,7 @@ void FemMethod::step()
   if (trial_ && trial_->failed()) return;
   if (steps_.remeshings().folds > folds)
     io::info("t = {:.6g} s: soil has come into contact with soil or with a wall, and is joined to it there", state().time);
-  if (!trial_) refuse_lost_soil();
+  if (!trial_ && keeps_mesh()) refuse_lost_soil<2>(problem_.model.mesh, model().mesh, problem_.state.displacement, state().time);
   recorder_.observe_steps(steps_);
   iterations_ += last_.iterations;
   if (last_.converged) return;

@@ -69,7 +69,6 @@ private:
   void try_to(const Act& act);
   Real movement() const;
   void end_stage_of_trial();
-  void refuse_lost_soil() const;
   bool is_last_stage() const;
 
   Real memory_for_mesh_;  ///< bytes in use while gmsh makes the mesh, with its own

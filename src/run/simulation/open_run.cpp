@@ -31,7 +31,7 @@ OpenRun<Method>::OpenRun(const RunRequest& request, Context& context)
       place_(std::in_place, request_, context, scratch_, fmt::format("{}, {}", method_.size_words(), words_of_workers(context)), warnings_),
       run_(request_, context, method_, place_->folder(), place_->log(), warnings_)
 {
-  if constexpr (!std::is_same_v<Method, FemMethod>)
+  if constexpr (!FiniteElements<Method>)
     if (request_.shorter) method_.lengthen(std::make_unique<Method>(*request_.shorter, io::ScratchFolder()));
 }
 
@@ -136,6 +136,7 @@ AnyOpenRun open_run(const RunRequest& request, Context& context)
 template class OpenRun<MpmMethod<2>>;
 template class OpenRun<MpmMethod<3>>;
 template class OpenRun<FemMethod>;
+template class OpenRun<SpaceFemMethod>;
 template class OpenRun<PipelineMethod>;
 
 }  // namespace berm::simulation

@@ -6,6 +6,7 @@
 #include "simulation/pipeline_method.hpp"
 #include "simulation/run.hpp"
 #include "simulation/run_place.hpp"
+#include "simulation/space_fem_method.hpp"
 
 #include <memory>
 #include <optional>
@@ -52,8 +53,9 @@ private:
   Run<Method> run_;
 };
 
-using AnyOpenRun = std::variant<std::unique_ptr<OpenRun<MpmMethod<2>>>, std::unique_ptr<OpenRun<MpmMethod<3>>>,
-                                std::unique_ptr<OpenRun<FemMethod>>, std::unique_ptr<OpenRun<PipelineMethod>>>;
+using AnyOpenRun =
+    std::variant<std::unique_ptr<OpenRun<MpmMethod<2>>>, std::unique_ptr<OpenRun<MpmMethod<3>>>, std::unique_ptr<OpenRun<FemMethod>>,
+                 std::unique_ptr<OpenRun<SpaceFemMethod>>, std::unique_ptr<OpenRun<PipelineMethod>>>;
 
 /// The run of a case by the method that it names. An error that names a key gets the line where that was written. Throws InputError and RunError.
 AnyOpenRun open_run(const RunRequest& request, Context& context);

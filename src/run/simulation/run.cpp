@@ -19,6 +19,7 @@
 #include "simulation/pipeline_method.hpp"
 #include "simulation/results.hpp"
 #include "simulation/run_of_ranks.hpp"
+#include "simulation/space_fem_method.hpp"
 #include "user_law/load.hpp"
 
 #include <malloc.h>
@@ -121,7 +122,7 @@ template <class Method>
 void Run<Method>::end()
 {
   finish_files();
-  if constexpr (!std::is_same_v<Method, FemMethod>) Ranks::of_run().together([&] { user_law::throw_failures(request_.settings); });
+  if constexpr (!FiniteElements<Method>) Ranks::of_run().together([&] { user_law::throw_failures(request_.settings); });
   if (finished_) return;
   if (state().time > last_row_) record();
   io::warn("stopped at t = {:.6g} s in stage \"{}\"; what was computed until then is in {}. To resume: berm run --resume {}", state().time,
@@ -149,7 +150,7 @@ void Run<Method>::step_of_method()
     if (command.empty()) throw;
     throw RunError(fmt::format("{}. To go on from the last checkpoint on a longer mesh: {}", error.what(), command));
   }
-  if constexpr (std::is_same_v<Method, FemMethod>)
+  if constexpr (FiniteElements<Method>)
     user_law::forget_failures(request_.settings);
   else if (decides_now())
     Ranks::of_run().together([&] { user_law::throw_failures(request_.settings); });
@@ -357,6 +358,7 @@ void Run<Method>::remove_checkpoints() const
 template class Run<MpmMethod<2>>;
 template class Run<MpmMethod<3>>;
 template class Run<FemMethod>;
+template class Run<SpaceFemMethod>;
 template class Run<PipelineMethod>;
 
 }  // namespace berm::simulation

@@ -12,7 +12,11 @@
 
 namespace berm::simulation {
 
-/// The run of a problem by a method, MpmMethod<2>, MpmMethod<3>, FemMethod or PipelineMethod: steps, and what is written on the way. A method builds the problem, takes a
+/// A method that counts iterations, and no particles.
+template <class Method>
+concept FiniteElements = std::is_same_v<decltype(std::declval<const Method&>().counts()), run_folder::FemCounts>;
+
+/// The run of a problem by a method, MpmMethod<2>, MpmMethod<3>, FemMethod, SpaceFemMethod or PipelineMethod: steps, and what is written on the way. A method builds the problem, takes a
 /// step, adds a row, makes a frame, changes to the next stage, names its own part of a checkpoint and says what can be trusted; when each is done is said
 /// here, for all of them.
 template <class Method>

@@ -7,6 +7,7 @@
 #include "simulation/fem_method.hpp"
 #include "simulation/mpm_method.hpp"
 #include "simulation/pipeline_method.hpp"
+#include "simulation/space_fem_method.hpp"
 #include "user_law/load.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +25,9 @@ auto with_method(RunRequest request, const Act& act)
     if (request.settings.method == settings::Method::fem && Ranks::of_run().count() > 1)
       throw InputError(
           fmt::format("{}: method = \"fem\" is for one process: start it without the MPI launcher", request.case_file.string()));
-    if (request.settings.method == settings::Method::fem) return act(std::type_identity<FemMethod>(), request);
+    if (request.settings.method == settings::Method::fem)
+      return request.settings.dimension() == 2 ? act(std::type_identity<FemMethod>(), request)
+                                               : act(std::type_identity<SpaceFemMethod>(), request);
     if (request.settings.pipeline) return act(std::type_identity<PipelineMethod>(), request);
     return request.settings.dimension() == 2 ? act(std::type_identity<MpmMethod<2>>(), request)
                                              : act(std::type_identity<MpmMethod<3>>(), request);

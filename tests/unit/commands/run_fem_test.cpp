@@ -245,7 +245,6 @@ TEST_P(FemWrongInputs, end_run_and_check_with_status_2_one_line_and_nothing_writ
 INSTANTIATE_TEST_SUITE_P(
     Table, FemWrongInputs,
     testing::Values(Wrong{"misspelt_method", "\"fem\"", "\"fme\"", {"method", "\"fem\""}},
-                    Wrong{"space", "method = \"fem\"", "method = \"fem\"\ngeometry = \"space\"", {"method", "plane_strain"}},
                     Wrong{"free_rigid_body", "mass = ", "motion = \"free\"\nmass = ", {"rigid.pipe.motion", "cannot be \"free\""}},
                     Wrong{"contact_of_two_bodies",
                           "regions = [\"near\", \"bed\"]",

@@ -26,6 +26,7 @@ protected:
     folder_.write("mpm.toml", test::small_case);
     folder_.write("fem.toml", test::small_fem_case);
     folder_.write("space.toml", test::small_space_case);
+    folder_.write("fem_space.toml", test::small_fem_space_case);
     std::string ball = test::small_case;  // the same around an axis, pushed twice
     const auto replace = [&](const std::string& from, const std::string& to) { ball.replace(ball.find(from), from.size(), to); };
     replace("gravity =", "geometry = \"axisymmetric\"\ngravity =");
@@ -90,7 +91,7 @@ constexpr int all = 1 << 30;
 
 INSTANTIATE_TEST_SUITE_P(Methods, RunOf,
                          testing::Values("mpm", "axisymmetric", "space", "consolidation", "fem", "fem_sand", "fem_consolidation",
-                                         "fem_axisymmetric", "fem_large"),
+                                         "fem_axisymmetric", "fem_large", "fem_space"),
                          [](const auto& of) { return std::string(of.param); });
 
 TEST_P(RunOf, a_case_that_is_stopped_again_and_again_ends_with_the_same_bytes)
@@ -121,7 +122,7 @@ TEST_P(RunOf, a_case_that_is_stopped_again_and_again_ends_with_the_same_bytes)
 /// Runs around an axis and in space.
 class RunOfWholeBodies : public RunOf {};
 
-INSTANTIATE_TEST_SUITE_P(Geometries, RunOfWholeBodies, testing::Values("axisymmetric", "space", "fem_axisymmetric"),
+INSTANTIATE_TEST_SUITE_P(Geometries, RunOfWholeBodies, testing::Values("axisymmetric", "space", "fem_axisymmetric", "fem_space"),
                          [](const auto& of) { return std::string(of.param); });
 
 TEST_P(RunOfWholeBodies, tells_forces_energies_and_moments_of_the_whole_and_none_per_metre)
@@ -154,8 +155,9 @@ TEST_P(RunOf, a_case_takes_threads_messages_and_times_of_its_context_and_leaves_
 TEST_P(RunOf, a_case_refuses_a_checkpoint_of_another_case)
 {
   ASSERT_FALSE(run("parts", 5));
-  const std::string file = std::string(GetParam()) + ".toml", more = std::string("[watch.more]\nbody = \"") + (is_fem() ? "clay" : "sand");
-  folder_.write(file, folder_.read(file) + more + "\"\npoint = [0.01, 0" + (file == "space.toml" ? ", 0]\n" : "]\n"));
+  const std::string file = std::string(GetParam()) + ".toml", more = std::string("[watch.more]\nbody = \"") + (is_fem() ? "clay" : "sand") +
+                                                                     "\"\npoint = [0.01, 0" + (file == "space.toml" ? ", 0]\n" : "]\n");
+  folder_.write(file, folder_.read(file) + (file == "fem_space.toml" ? "[output]\nframe_time = \"1 s\"\n" : more));
   EXPECT_THROW(run("parts", all, true), RunError);
 }
 

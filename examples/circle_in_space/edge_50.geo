@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: BSD-3-Clause
+edge = 0.05;
+Include "quarter.geo";
