@@ -32,7 +32,7 @@ namespace berm::simulation {
 namespace {
 
 constexpr Real max_shaking = 0.15, max_mass = 0.01, max_contact_work = 0.01, max_stopped = 0.01;  // above them a warning
-constexpr Real max_beyond_force = 0.02;                                                           // of a limit of force, likewise
+constexpr Real max_beyond_force = 0.05;                                                           // of a limit of force, likewise
 
 /// What a stage of unknown duration is taken to last, s: as long as its body needs to go its width, or a wave to cross that a hundred times.
 Real typical_time(const settings::Case& c, const settings::StageSettings& stage)
