@@ -115,7 +115,7 @@ std::vector<std::string> soil_words(const settings::Case& c)
   for (const auto& [name, settings] : c.body) {
     const settings::BodySoil soil = soil_of(c, settings);
     if (!varies(soil)) continue;
-    lines.push_back(fmt::format("soil         body \"{}\": {}", name, layers_in_words(soil)));
+    lines.push_back(fmt::format("soil         body \"{}\", material {}", name, layers_in_words(soil)));
     lines.push_back(fmt::format("             at the surface: {}", values_in_words(soil.at("", 0))));
     if (const Real depth = soil_depth(c, problem::ground_of(c), reference_depth(c)); depth > 0)
       lines.push_back(fmt::format("             {} deep, the lowest point of the {}: {}", text::length_words(depth), body_word(c),
