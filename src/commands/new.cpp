@@ -49,6 +49,7 @@ nlohmann::ordered_json kinds_as_json()
                    {"question", one.question},
                    {"sizes", start::sizes},
                    {"soils", start::soils_for(one)},
+                   {"sounding", start::takes_sounding(one.text)},
                    {"example", one.example}});
   return all;
 }

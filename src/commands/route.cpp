@@ -35,7 +35,7 @@ route::Resistances springs_from(const std::filesystem::path& folder, const route
   found.axial_residual = bounds([](const springs::Springs& s) { return s.axial.residual; });
   found.axial_residual.high = std::max(found.axial_residual.high, best.axial.cyclic().high);
   found.source = fmt::format("run {}, state {}{}", folder.string(), best.state,
-                             best.lateral.empty() ? ", without a lateral spring" : ", travel " + best.lateral.front().stage);
+                             best.lateral.empty() ? ", without a lateral spring" : ", " + best.lateral.front().stage);
   if (std::isnan(found.lateral_residual.best)) found.doubts.emplace_back("the run has no lateral residual: no buckle is computed with it");
   if (std::abs(best.V - pipe.operation) > same * pipe.operation)
     found.doubts.push_back(fmt::format("V of the run is {:.4g} N/m, the weight in operation {:.4g} N/m", best.V, pipe.operation));

@@ -44,7 +44,7 @@ def test_a_lift_shows_its_resistance_upwards(tmp_path: Path) -> None:
 def test_a_pile_shows_its_p_y_curves(tmp_path: Path) -> None:
     run = short(tmp_path, "pile", {"stage.push_over.until.displacement": "10 mm"})
     H_u, p_y = run.plot().axes
-    assert H_u.get_xlabel().startswith("displacement at the bed u") and p_y.get_ylabel() == "resistance p (kN/m)"
+    assert H_u.get_xlabel().startswith("displacement at the seabed u") and p_y.get_ylabel() == "resistance p (kN/m)"
     depths = np.unique(run.py["z_m"])
     assert [line.get_label() for line in p_y.lines if not line.get_label().startswith("_")] == [
         f"{1000 * z:g} mm" if z < 1 else f"{z:g} m" for z in depths

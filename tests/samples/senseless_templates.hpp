@@ -99,7 +99,7 @@ inline const std::vector<SenselessTemplate>& senseless_templates()
        "of the width of the body"},
       {"flowline_of_150_tonnes", "flowline-in-sensitive-clay", "mass = \"150 kg/m\"", "mass = \"150 t/m\"", "rigid.flowline.mass",
        "keeps moving by its inertia"},
-      {"cable_lighter_than_its_weight", "storm-on-a-cable", "mass = \"60 kg/m\"", "mass = \"6 kg/m\"", "rigid.cable.mass",
+      {"cable_lighter_than_its_weight", "storm-on-a-cable", "mass = \"140 kg/m\"", "mass = \"6 kg/m\"", "rigid.cable.mass",
        "less than its submerged weight"},
       {"sand_of_50_kilopascal", "storm-on-a-cable", "cohesion = \"50 Pa\"", "cohesion = \"50 kPa\"", "material.sand.cohesion",
        "is the unit right"},

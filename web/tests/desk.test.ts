@@ -2,7 +2,7 @@
 // A job at the desk, from a case to springs, in a browser: a form that changes the text, a run that grows, stops and goes on, two runs compared, springs, a printed page.
 import assert from "node:assert/strict";
 import { type ChildProcess, spawn } from "node:child_process";
-import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -252,6 +252,15 @@ test("a_run_has_a_sentence_another_name_and_notes", async () => {
     assert.equal(await page.locator(".runs_view .notes:not(.quiet)").count(), notes ? 1 : 0);
     assert.equal(existsSync(join(folder, shown, "notes.txt")), notes !== "");
   }
+});
+
+test("an_invalid_run_has_no_sentence", async () => {
+  const file = join(folder, "out/pipe/summary.json"), valid = readFileSync(file, "utf8");
+  writeFileSync(file, JSON.stringify({ ...JSON.parse(valid), invalid: ["the soil at the pipe lost its strength"] }));
+  await go("/run?path=out%2Fpipe");
+  await page.locator(".bad", { hasText: "Do not use the results of this run: the soil at the pipe lost its strength." }).waitFor();
+  assert.equal(await page.locator(".sentence").isVisible(), false);
+  writeFileSync(file, valid);
 });
 
 test("two_runs_are_compared_and_springs_are_written", async () => {

@@ -132,12 +132,17 @@ Sand sand(const std::string& table, const site::Sounding& sounding, Real base, s
 
 }  // namespace
 
+bool takes_sounding(const std::string& text)
+{
+  const bool has_clay = table_of(text, "clay").begin != std::string::npos, has_sand = table_of(text, "sand").begin != std::string::npos;
+  return has_clay != has_sand && text.find("\nsoil_layer = ") == std::string::npos;
+}
+
 CptCase with_cpt(const Kind& kind, const std::string& text, const site::Sounding& sounding, const CptChoice& choice)
 {
   const Table of_clay = table_of(text, "clay"), of_sand = table_of(text, "sand");
   const bool has_clay = of_clay.begin != std::string::npos, has_sand = of_sand.begin != std::string::npos;
-  if (has_clay == has_sand || text.find("\nsoil_layer = ") != std::string::npos)
-    throw InputError(fmt::format("--cpt: {} takes no sounding; write its strengths into the file", kind.name));
+  if (!takes_sounding(text)) throw InputError(fmt::format("--cpt: {} takes no sounding; write its strengths into the file", kind.name));
   if (has_clay && choice.correlation) throw InputError(fmt::format("--phi is for sand, and {} is in clay: use --n-kt", kind.name));
   if (has_sand && choice.N_kt) throw InputError(fmt::format("--n-kt is for clay, and {} is in sand: use --phi", kind.name));
   const Table& table = has_clay ? of_clay : of_sand;

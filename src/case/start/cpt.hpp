@@ -25,6 +25,9 @@ struct CptCase {
   std::vector<std::string> doubts;
 };
 
+/// Whether a case of this text can have its strength from a sounding: one clay or one sand, without layers.
+bool takes_sounding(const std::string& text);
+
 /// A case with the strength of a sounding in its clay or its sand, down to the base of its mesh: a profile of the undrained strength, or layers of sand, each with its
 /// angle of friction, and of dilation by Bolton (1986). The unit weight is that of the case. Throws InputError where the kind has neither, or layers of its own, where the choice is
 /// one of the other soil, and where the sounding has values that no such soil has.

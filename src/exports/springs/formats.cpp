@@ -56,7 +56,7 @@ void check_taken(const Design& design, const Format& format)
   if (format.takes(design.best)) return;
   std::vector<std::string> why = design.best.missing;
   for (const Lateral& l : design.best.lateral)
-    if (!(l.V > 0)) why.push_back(without_friction("travel " + l.stage));
+    if (!(l.V > 0)) why.push_back(without_friction(l.stage));
   throw RunError(fmt::format("{}: state {} has no spring that --to {} can write{}{}", design.name, design.best.state, format.name,
                              why.empty() ? "" : ": ", text_of_list(why, "; ")));
 }

@@ -128,7 +128,7 @@ ExportFiles moordyn_files(const Design& design)
             ? "# kBot is not known from these runs\n"
             : remark("# ", "kBot: " + normal.origin) + option(normal.value / s.diameter, "kBot", "Pa/m, stiffness dV/dw divided by D");
     for (const Lateral& l : s.lateral) {
-      if (!(l.V > 0)) text += remark("# ", without_friction("travel " + l.stage));
+      if (!(l.V > 0)) text += remark("# ", without_friction(l.stage));
       if (!(l.V > 0) || !(l.peak > 0)) continue;
       const bool stays = l.residual > 0;
       const Real friction = (stays ? l.residual : l.peak) / l.V, ratio = stays ? l.peak / l.residual : 1;

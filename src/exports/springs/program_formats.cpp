@@ -19,13 +19,12 @@ std::string abaqus_lines(const char* direction, const Points& points)
 /// Why a drag has no component of RIFLEX; "" where it has one.
 std::string why_no_component(const Lateral& l)
 {
-  if (!(l.V > 0)) return without_friction("travel " + l.stage);
+  if (!(l.V > 0)) return without_friction(l.stage);
   if (!(l.peak > 0))
-    return fmt::format("travel {} has no component: {}", l.stage,
+    return fmt::format("{} has no component: {}", l.stage,
                        l.only_berm() ? "its H increases against a berm, which is not a residual" : "no resistance of it is known");
-  return is_stiffness(l.stiffness())
-             ? ""
-             : fmt::format("travel {} has no component: H begins with its peak, so that it has no stiffness", l.stage);
+  return is_stiffness(l.stiffness()) ? ""
+                                     : fmt::format("{} has no component: H begins with its peak, so that it has no stiffness", l.stage);
 }
 
 /// R and RMORE hold six numbers each, displacement before force.
@@ -82,7 +81,7 @@ ExportFiles orcaflex_files(const Design& design)
     for (const WrittenSpring& spring : springs_to_write(s)) {
       const bool vertical = spring.direction == Direction::vertical;
       if (!vertical && !(spring.V > 0)) {
-        text += remark("# ", without_friction(spring.direction == Direction::axial ? "the axial spring" : "travel " + spring.travel));
+        text += remark("# ", without_friction(spring.direction == Direction::axial ? "the axial spring" : spring.travel));
         continue;
       }
       text += remark("# ", spring.origin);

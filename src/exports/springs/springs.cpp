@@ -378,10 +378,10 @@ std::vector<std::string> without_spring(const Springs& s)
   std::vector<std::string> lines;
   for (const Lateral& l : s.lateral)
     if (l.only_berm())
-      lines.push_back(fmt::format(
-          "travel {} has no lateral spring: its H increases to {:.6g} N/m against a berm, with neither a peak nor a residual before; "
-          "curves.csv (--to table) has its H against u",
-          l.stage, l.berm));
+      lines.push_back(
+          fmt::format("{} has no lateral spring: its H increases to {:.6g} N/m against a berm, with neither a peak nor a residual before; "
+                      "curves.csv (--to table) has its H against u",
+                      l.stage, l.berm));
   return lines;
 }
 
@@ -390,8 +390,8 @@ std::vector<std::string> moved_away(const std::vector<std::string>& drags, const
 {
   std::vector<std::string> lines;
   for (const std::string& drag : drags)
-    lines.push_back(fmt::format("travel {} has no lateral spring in state {}: the soil that it moved on no longer exists: {}", drag,
-                                s.state, work->words));
+    lines.push_back(
+        fmt::format("{} has no lateral spring in state {}: the soil that it moved on no longer exists: {}", drag, s.state, work->words));
   return lines;
 }
 

@@ -108,7 +108,7 @@ std::string origin_of(const Springs& s, const Lateral& l)
 {
   const std::string other = l.state.empty() || l.state == s.state ? "" : fmt::format(" of the pipe in state {}", l.state);
   return sentence(
-      {run_words(s), state_words(s), "travel " + l.stage + other, "computed",
+      {run_words(s), state_words(s), l.stage + other, "computed",
        std::isnan(l.largest) ? "" : fmt::format("largest H {:.6g} N/m at u = {:.4g} m, after its first peak", l.largest, l.u_largest),
        std::isnan(l.residual) ? "no residual" : "",
        std::isnan(l.berm) ? "" : fmt::format("{:.6g} N/m against a berm at its end, which is not a residual", l.berm)});
@@ -131,10 +131,10 @@ std::string axial_title(const Springs& s)
 std::string vertical_origin(const Springs& s)
 {
   const Points points = vertical_spring(s);
-  if (!lies_in_state(s)) return sentence({run_words(s), "from the seabed down", "travel push", "computed, virgin curve"});
+  if (!lies_in_state(s)) return sentence({run_words(s), "from the seabed down", "push", "computed, virgin curve"});
   const Real preload = preload_of(s);
   return sentence(
-      {run_words(s), state_words(s), "travel push",
+      {run_words(s), state_words(s), "push",
        fmt::format("computed: unloading and reloading have {:.4g} N/m2 ({}), from V = 0 at w = {:.4g} m to the preload of {:.4g} N/m",
                    state_stiffness(s), normal_stiffness(s).origin, points.back().x - from_rest(points).back().x, preload),
        deepest_virgin(s) > points.back().x * (1 - 1e-9) ? "the virgin curve beyond"
@@ -237,10 +237,10 @@ Points level_beyond(Points spring, Real length)
 NormalStiffness normal_stiffness(const Springs& s)
 {
   for (const Unloading& u : s.vertical.unloading)
-    if (is_stiffness(u.stiffness)) return {u.stiffness, sentence({run_words(s), "travel " + u.stage, "slope, computed"})};
+    if (is_stiffness(u.stiffness)) return {u.stiffness, sentence({run_words(s), u.stage, "slope, computed"})};
   if (is_stiffness(s.vertical.rebound)) return {s.vertical.rebound, "by " + s.vertical.rebound_source};
   if (const Points push = virgin_curve(s); push.size() > 1)
-    return {push.back().F / push.back().x, sentence({run_words(s), "travel push", "secant to its end, computed"})};
+    return {push.back().F / push.back().x, sentence({run_words(s), "push", "secant to its end, computed"})};
   return {};
 }
 

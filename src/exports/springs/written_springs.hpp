@@ -55,7 +55,7 @@ struct NormalStiffness {
 };
 NormalStiffness normal_stiffness(const Springs& springs);
 
-/// Says that a spring ("travel sweep_1") has no coefficient of friction.
+/// Says that a spring ("sweep_1") has no coefficient of friction.
 std::string without_friction(const std::string& spring);
 
 /// A comment behind the mark that begins one, in lines of at most some 120 letters.

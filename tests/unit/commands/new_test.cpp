@@ -85,6 +85,10 @@ TEST_F(New, lists_kinds_and_soils_as_json)
   EXPECT_EQ((*found)["group"], "Pipelines");
   EXPECT_EQ((*found)["sizes"], nlohmann::json({"quick", "normal", "fine"}));
   EXPECT_EQ((*found)["example"], "pipe_clay_life");
+  for (const auto& kind : kinds) {
+    const std::string name = kind["kind"];
+    EXPECT_EQ(kind["sounding"].get<bool>(), name != "trench-and-backfill" && name != "consolidation" && name != "layers") << name;
+  }
   const auto soils = nlohmann::json::parse(berm({"new", "--soils", "--json"}).out);
   for (const auto& soil : soils)
     for (const char* key : {"soil", "material", "title", "source", "trust"}) EXPECT_FALSE(soil[key].get<std::string>().empty()) << soil;

@@ -80,8 +80,7 @@ TEST(BuckPyFormat, is_a_row_of_the_sheet_for_each_travel_with_friction_at_breako
   expect_estimates(rows[0], "Axial", design.low->axial.undrained / 1000, 0.24, design.high->axial.undrained / 1000);
   for (const char* column : {"LE", "BE", "HE", "Fit Bounds"}) EXPECT_EQ(rows[0].at(std::string("Lateral Hydrotest ") + column), "");
   const std::string& description = rows[0].at("Soil Description");
-  for (const char* words :
-       {"run b1", "state operation", "travel sweep_1", "by White and Randolph 2007", "H at breakout divided by V = 1000 N/m"})
+  for (const char* words : {"run b1", "state operation", "sweep_1", "by White and Randolph 2007", "H at breakout divided by V = 1000 N/m"})
     EXPECT_NE(description.find(words), std::string::npos) << words << " in " << description;
 }
 
@@ -108,7 +107,7 @@ TEST(BuckPyFormat, puts_a_travel_of_the_flooded_pipe_into_the_columns_of_the_hyd
   s.lateral[0].state = "flooded";
   const Row by_state = buckpy_rows(made_design(s)).at(0);
   EXPECT_EQ(by_state.at("Lateral Hydrotest BE"), "0.5");
-  EXPECT_NE(by_state.at("Soil Description").find("travel sweep of the pipe in state flooded"), std::string::npos);
+  EXPECT_NE(by_state.at("Soil Description").find("sweep of the pipe in state flooded"), std::string::npos);
   s = made_springs();
   s.state = "flooded";
   const std::vector<Row> flooded = buckpy_rows(made_design(s));
@@ -171,7 +170,7 @@ TEST(MoorDynFormat, has_the_residual_as_friction_and_the_peak_over_it)
   for (const auto& block : {C[0], F[0]}) EXPECT_NEAR(block.at("kBot"), 2000 / 0.1 / 0.5, 0.1);
   EXPECT_EQ(C[1].at("FrictionCoefficient"), 0.8) << "of a travel that ends against a berm, its breakout";
   EXPECT_EQ(C[1].at("StatDynFricScale"), 1);
-  for (const char* words : {"Not run in MoorDyn", "stage unload is not written: V fell", "travel sweep_1,"})
+  for (const char* words : {"Not run in MoorDyn", "stage unload is not written: V fell", "sweep_1,"})
     EXPECT_NE(text.find(words), std::string::npos) << words << " in " << text;
 }
 

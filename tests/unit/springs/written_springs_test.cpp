@@ -13,17 +13,16 @@ TEST(WrittenSprings, tell_run_state_travel_and_what_they_are_found_by)
 {
   const std::vector<WrittenSpring> all = springs_to_write(made_springs());
   ASSERT_EQ(all.size(), 4u) << "two travels, along the axis, downwards";
-  EXPECT_EQ(all[0].origin, "run b1, state operation (end of stage unload, w = 0.136 m, V = 1000 N/m), travel sweep_1, computed");
-  EXPECT_NE(all[1].origin.find("travel sweep_2, computed, no residual, 1129 N/m against a berm at its end, which is not a residual"),
+  EXPECT_EQ(all[0].origin, "run b1, state operation (end of stage unload, w = 0.136 m, V = 1000 N/m), sweep_1, computed");
+  EXPECT_NE(all[1].origin.find("sweep_2, computed, no residual, 1129 N/m against a berm at its end, which is not a residual"),
             std::string::npos)
       << all[1].origin;
   EXPECT_NE(all[2].origin.find("undrained, by White and Randolph 2007, displacements by DNVGL-RP-F114, table 4-2"), std::string::npos)
       << all[2].origin;
-  EXPECT_EQ(
-      all[3].origin,
-      "run b1, state operation (end of stage unload, w = 0.136 m, V = 1000 N/m), travel push, computed: unloading and reloading have "
-      "2e+04 N/m2 (run b1, travel push, secant to its end, computed), from V = 0 at w = 0.086 m to the preload of 2000 N/m, beyond it the "
-      "last slope of the virgin curve, which was not followed so deep");
+  EXPECT_EQ(all[3].origin,
+            "run b1, state operation (end of stage unload, w = 0.136 m, V = 1000 N/m), push, computed: unloading and reloading have "
+            "2e+04 N/m2 (run b1, push, secant to its end, computed), from V = 0 at w = 0.086 m to the preload of 2000 N/m, beyond it the "
+            "last slope of the virgin curve, which was not followed so deep");
   EXPECT_EQ(all[2].V, 1000) << "axial coefficients are over the V of the state";
   Springs before = made_springs();
   before.V = nan;
@@ -137,7 +136,7 @@ TEST(WrittenSprings, have_no_stiffness_of_a_slope_that_is_none_and_say_why)
   EXPECT_NEAR(normal_stiffness(s).value, 2000 / 0.1, 1e-9) << "of the push, as the pipe sank while V fell";
   s.vertical.unloading = {{"unload", 1860, 1000, -1e5}, {"pause", 1000, 1200, nan}, {"lift", 1000, 0, 4e5}};
   EXPECT_EQ(normal_stiffness(s).value, 4e5);
-  EXPECT_NE(normal_stiffness(s).origin.find("travel lift"), std::string::npos);
+  EXPECT_NE(normal_stiffness(s).origin.find("lift"), std::string::npos);
   const std::vector<std::string> lines = refused_stiffnesses(s);
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[0],

@@ -25,6 +25,7 @@ const steps: Record<string, Step[]> = {
   "N m": [["N m", 1, 0], ["kN m", 1e3, 1e4]],
   N: [["N", 1, 0], ["kN", 1e3, 1e4]],
   J: [["J", 1, 0], ["kJ", 1e3, 1e4]],
+  s: [["s", 1, 0], ["h", 3600, 7200], ["days", 86400, 3 * 86400]],
   Pa: [["Pa", 1, 0], ["kPa", 1e3, 1e3], ["MPa", 1e6, 1e6]],
 };
 
@@ -82,10 +83,10 @@ export function system_name(system: UnitSystem, runs: RunData[]): string {
   return `${system} (${units}${without === 0 ? "" : `; leaves out ${without} of ${runs.length} runs`})`;
 }
 
-/** Symbol (or words) and unit: "V (N/m)", "w/D". */
+/** Symbol (or words) and unit: "V (N/m)", "w/D", "U". */
 export function short_title(quantity: Quantity, unit: Unit): string {
   const name = quantity.symbol || quantity.words;
-  return unit.divisor !== "" ? over(name, unit.divisor) : unit.name !== "" ? `${name} (${unit.name})` : name;
+  return unit.divisor !== "" ? over(name, unit.divisor) : unit.name !== "" && unit.name !== "1" ? `${name} (${unit.name})` : name;
 }
 
 /** Words, symbol and unit: "vertical reaction V (N/m)", "embedment w/D". */

@@ -52,7 +52,7 @@ async function json<T>(answer: Promise<Response>): Promise<T | null> {
 
 export type Status = "queued" | "running" | "stopped" | "failed" | "finished";
 export interface About { version: string; folder: string; cores: number }
-export interface Kind { kind: string; title: string; group: string; question: string; sizes: string[]; soils: string[]; example: string }
+export interface Kind { kind: string; title: string; group: string; question: string; sizes: string[]; soils: string[]; sounding: boolean; example: string }
 /** What an input is, by its first tables. */
 export type InputKind = "case" | "study" | "element" | "fit" | "cyclic" | "sea" | "route";
 export interface Soil { soil: string; material: string; title: string; source: string; trust: string }

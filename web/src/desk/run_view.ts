@@ -37,6 +37,12 @@ function turns(values: (number | null)[]): number {
   return count;
 }
 
+/** Whether the results of a run are not to be used. */
+function is_invalid(summary?: Summary | null): boolean {
+  const invalid = summary?.invalid;
+  return Array.isArray(invalid) ? invalid.length > 0 : Boolean(invalid);
+}
+
 export class RunView implements Place {
   readonly element = make("div", "run_view");
   readonly title: string;
@@ -110,7 +116,7 @@ export class RunView implements Place {
       make("span", "quiet", now.case ? `of ${now.case}` : ""));
     this.why.textContent = now.why ? `${now.why.replace(/[.]?$/, ".")} ${what_can_be_done(now)}` : "";
     this.why.hidden = !now.why;
-    this.sentence.textContent = now.summary?.text?.answer ?? "";
+    this.sentence.textContent = is_invalid(now.summary) ? "" : now.summary?.text?.answer ?? "";
     this.sentence.hidden = !this.sentence.textContent;
     this.notes.textContent = now.notes ?? "";
     this.notes.hidden = !now.notes;
@@ -261,7 +267,7 @@ export class RunView implements Place {
       ...(others.length > 0 ? [make("details", "", make("summary", "", "Ratios, prescribed values and quality"), table_of(others))] : []),
       make("details", "", make("summary", "", "Checks"), make("dl", "numbers", ...trust.flatMap(([name, value]) => [make("dt", "", name.replaceAll("_", " ")), make("dd", "", typeof value === "number" ? digits(value) : String(value))]))));
     this.warnings.replaceChildren(
-      ...(invalid && JSON.stringify(invalid) !== "[]" && invalid !== false ? [make("p", "bad", `Do not use the results of this run${Array.isArray(invalid) ? `: ${invalid.join("; ")}` : ""}.`)] : []),
+      ...(is_invalid({ invalid }) ? [make("p", "bad", `Do not use the results of this run${Array.isArray(invalid) ? `: ${invalid.join("; ")}` : ""}.`)] : []),
       ...(warnings ?? []).slice(0, 6).map((warning) => make("p", "fair", warning)));
   }
 }

@@ -113,7 +113,7 @@ export class StartView implements Place {
       element("label", { for: "new-file" }, "File"), file,
       element("label", { for: "new-size" }, "Size of the cells, and speed"), size,
       ...(fitting.length > 0 ? [element("label", { for: "new-soil" }, "Soil"), soil, source] : []),
-      ...(kind.soils.length > 0 ? [element("label", { for: "new-cpt" }, "Strength from a sounding (CPT: .csv, .gef or .ags)"), cpt, where,
+      ...(kind.sounding ? [element("label", { for: "new-cpt" }, "Strength from a sounding (CPT: .csv, .gef or .ags)"), cpt, where,
         make("p", "quiet", "Laboratory tests: berm fit turns them into parameters. A file of it opens at the desk, with the button Fit the soil.")] : []),
       wrong, make("div", "bar", begin, stop));
     stop.addEventListener("click", () => this.dialog.close());

@@ -9,7 +9,7 @@ namespace berm::base {
 /// A number that the page of a run shows large.
 struct HeadlineNumber {
   std::string quantity;     ///< its name in summary.json
-  std::string label;        ///< "Breakout resistance"
+  std::string label;        ///< HTML: "Breakout resistance"
   std::string beside = {};  ///< what a design code or a formula gives, HTML: "1.2 kN/m by DNV-RP-F114"
 };
 

@@ -115,7 +115,7 @@ std::vector<std::string> soil_words(const settings::Case& c)
   for (const auto& [name, settings] : c.body) {
     const settings::BodySoil soil = soil_of(c, settings);
     if (!varies(soil)) continue;
-    lines.push_back(fmt::format("soil         body \"{}\": {}", name, layers_in_words(soil)));
+    lines.push_back(fmt::format("soil         body \"{}\", material {}", name, layers_in_words(soil)));
     lines.push_back(fmt::format("             at the surface: {}", values_in_words(soil.at("", 0))));
     if (const Real depth = soil_depth(c, problem::ground_of(c), reference_depth(c)); depth > 0)
       lines.push_back(fmt::format("             {} deep, the lowest point of the {}: {}", text::length_words(depth), body_word(c),
@@ -217,13 +217,18 @@ std::vector<Dissipation> dissipation_of(const record::RunRecord& run)
 Charts dissipation_charts(const record::RunRecord& run)
 {
   const run_folder::History& h = run.history;
-  Chart chart{"U_t", {"time", "t", "s"}, {"degree of consolidation", "U", "1"}, {}, "Degree of consolidation over time"};
+  const Real part = settings::part_of_real_time(run.settings).value_or(1);
+  Chart chart{
+      "U_t", {"time since its beginning", "t", "s"}, {"degree of consolidation", "U", "1"}, {}, "Degree of consolidation over time"};
   for (const Dissipation& d : dissipation_of(run)) {
     Curve curve{d.stage};
+    Real begin = 0;
     for (Index row = 0; row < h.rows(); ++row)
-      if (h.stage[row] == d.stage) {
+      if (h.stage[row] != d.stage) {
+        if (curve.rows.empty()) begin = h["time_s"][row];
+      } else {
         curve.rows.push_back(row);
-        curve.x.push_back(h["time_s"][row]);
+        curve.x.push_back((h["time_s"][row] - begin) / part);
         curve.y.push_back(h.by_label("U")[row]);
       }
     chart.curves.push_back(std::move(curve));

@@ -115,7 +115,7 @@ inline constexpr Answer<DragResults> drag_answers[] = {
     Answer<DragResults>{"time_to_1D", time, "time of the load history until the body is 1 D from its start",
                         of_drag<&DragResults::moved, &Displacements::time_D>, answer, nullptr, by_force}
         .headed({.words = "u = 1 D after, s of the record", .missing = "never"}),
-    {"time_scale", ratio, "time of the run over that of the load history", of_drag<&DragResults::moved, &Displacements::time_scale>,
+    {"time_scale", ratio, "time of the run divided by that of the load history", of_drag<&DragResults::moved, &Displacements::time_scale>,
      prescribed, nullptr, [](const Stage& stage) { return stage.by_force && stage.varies; }},
     {"berm_height", length, "height of the berm ahead at the end of the drag", of_drag<&DragResults::berm_height>},
     {"berm_distance", length, "distance of the crest of that berm from the axis of the pipe", of_drag<&DragResults::berm_distance>},

@@ -43,7 +43,7 @@ base::Charts run_charts(const run_folder::History& history, const base::BodyScal
       travel{"travel of a drag", "s", "m"}, V{"vertical reaction", "V", scale.dimension == 2 ? "N/m" : "N"},
       H{"horizontal reaction along x", "H", V.unit}, R{"resistance to a drag", "H", V.unit};
   base::Chart u_t{"u_t", {"time", "t", "s"}, {"displacement", "u", "m"}, {}, "Displacement over time"},
-      half_cycles{"half_cycles", {"half-cycle", "n", "1"}, {"half-cycle displacement", "u", "m"}, {}, "Half-cycles"},
+      half_cycles{"half_cycles", {"half-cycle", "n", "1"}, {"displacement", "u", "m"}, {}, "Half-cycles"},
       by_drag{"H_s",
               {"displacement of the drag", "s", "m"},
               {"resistance to a drag", "H", scale.dimension == 2 ? "N/m" : "N"},

@@ -71,7 +71,7 @@ std::string axial_table(const LateralRun& run, const std::string& id)
   if (!code) return "";
   const formulas::Source& source = code->base.source;
   text::HtmlTable table(id, fmt::format("{}: axial resistance by {} ({})", run.record.name, citation(source), word_of(source.label)));
-  table.columns({{"depth below the bed, m"}, {"t, kN/m", true}, {"up to that depth, kN", true}});
+  table.columns({{"depth below the seabed, m"}, {"t, kN/m", true}, {"up to that depth, kN", true}});
   Real sum = 0;
   for (const AxialCode::Slice& slice : code->shaft) {
     sum += slice.t.value * slice.thickness;

@@ -9,7 +9,7 @@ namespace berm::lateral {
 /// The axial resistance of a run's pile by API RP 2GEO: the run itself has none unless a stage pushes it along its axis.
 struct AxialCode {
   struct Slice {
-    Real z;               ///< m below the bed, of its middle
+    Real z;               ///< m below the seabed, of its middle
     Real thickness;       ///< m
     formulas::Formula t;  ///< N/m, the largest friction per metre of depth, of the outer face
   };

@@ -28,7 +28,7 @@ plot::Panel panel_of(const PyCurve& curve, const std::vector<CodeMethod>& codes,
 {
   const Real side = curve.y.back() < 0 ? -1 : 1,
              most = std::abs(*std::ranges::max_element(curve.y, {}, [](Real y) { return std::abs(y); }));
-  plot::Panel panel{fmt::format("{} below the bed", text::length_words(curve.z)), 0, 1e3 * most};
+  plot::Panel panel{fmt::format("{} below the seabed", text::length_words(curve.z)), 0, 1e3 * most};
   const auto named = [&](const std::string& name) { return with_key ? name : std::string(); };
   std::vector<Real> y, p;
   for (std::size_t k = 0; k < curve.y.size(); ++k) y.push_back(1e3 * side * curve.y[k]), p.push_back(side * curve.p[k] / 1e3);
@@ -54,7 +54,7 @@ std::string load_table(const LateralRun& run, const std::vector<CodeMethod>& cod
   table.columns({{"method"},
                  {fmt::format("H at u = {} of the load, kN", text::length_words(r.u_load)), true},
                  {"berm/method", true},
-                 {"pivot below the bed, m", true},
+                 {"pivot below the seabed, m", true},
                  {"largest H, kN", true},
                  {"source"},
                  {"choices"},

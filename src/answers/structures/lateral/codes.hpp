@@ -8,7 +8,7 @@
 
 namespace berm::lateral {
 
-/// How a design code or a published method has the soil of a run hold its pile. Depths z below the bed (m), displacements y (m) and tilt (rad) along the load; empty where it has none.
+/// How a design code or a published method has the soil of a run hold its pile. Depths z below the seabed (m), displacements y (m) and tilt (rad) along the load; empty where it has none.
 struct CodeMethod {
   std::string name, column;                               ///< column of tables: "api"
   std::string choices;                                    ///< that it makes beyond the soil of the case
@@ -24,11 +24,11 @@ std::vector<CodeMethod> code_methods(const LateralRun& run);
 /// A rigid pile whose point of load is displaced.
 struct RigidPile {
   Real H = nan;        ///< N
-  Real pivot = nan;    ///< m below the bed; NaN where it does not tilt
+  Real pivot = nan;    ///< m below the seabed; NaN where it does not tilt
   bool valid = false;  ///< all formulas are in their ranges
 };
 
-/// By a method: the tilt at which the moment of the soil about the point of load, `height` above the bed, vanishes. `u`: displacement of that point; infinite: the largest H.
+/// By a method: the tilt at which the moment of the soil about the point of load, `height` above the seabed, vanishes. `u`: displacement of that point; infinite: the largest H.
 RigidPile rigid_pile(const CodeMethod& method, Real length, Real height, Real u);
 
 }  // namespace berm::lateral

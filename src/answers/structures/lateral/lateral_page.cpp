@@ -19,15 +19,15 @@ namespace {
 
 using text::HtmlCell;
 
-/// "4 m above the bed".
+/// "4 m above the seabed".
 std::string height_words(Real height)
 {
-  return fmt::format("{} {} the bed", text::length_words(std::abs(height)), height < 0 ? "below" : "above");
+  return fmt::format("{} {} the seabed", text::length_words(std::abs(height)), height < 0 ? "below" : "above");
 }
 
 std::string travel_table(const LateralRuns& runs, const std::string& id)
 {
-  text::HtmlTable table(id, "Lateral load H by the displacement u at the bed");
+  text::HtmlTable table(id, "Lateral load H by the displacement u at the seabed");
   const bool alone = runs.size() == 1;
   std::vector<HtmlCell> columns{{"u/D"}};
   if (alone)
@@ -81,15 +81,16 @@ std::string lateral_words(const LateralRun& run)
   if (run.empty() || run.H_curve().empty()) return "";
   const LateralResults& r = run.results();
   const std::string name = text::html_text(base::body_word(run.record.settings));
-  std::string words = fmt::format(
-      "Under lateral load the {} (D = {}, {} of it in the bed) carries H = {} at a displacement of {} ({} D) at the bed. The load acts {}, "
-      "where the displacement is {}; its moment at the bed is {} m.",
-      name, text::length_words(run.width), text::length_words(run.path.length), text::force_words(r.H, 3), text::length_words(r.u),
-      text::short_number(r.u / run.width), height_words(r.height), text::length_words(r.u_load), text::force_words(r.M, 3));
+  std::string words = fmt::format("Under lateral load the {} (D = {}, {} of it in the seabed) carries H = {} at a displacement of {} ({} "
+                                  "D) at the seabed. The load acts {}, "
+                                  "where the displacement is {}; its moment at the seabed is {} m.",
+                                  name, text::length_words(run.width), text::length_words(run.path.length), text::force_words(r.H, 3),
+                                  text::length_words(r.u), text::short_number(r.u / run.width), height_words(r.height),
+                                  text::length_words(r.u_load), text::force_words(r.M, 3));
   if (std::isfinite(r.pivot))
     words += fmt::format(" The {} tilts by {} about a point {}.", name, text::angle_words(std::abs(r.tilt)), height_words(-r.pivot));
   if (run.strength > 0)
-    words += fmt::format(" H is {} s<sub>u</sub> D L, with s<sub>u</sub> = {} on average over the length L in the bed.",
+    words += fmt::format(" H is {} s<sub>u</sub> D L, with s<sub>u</sub> = {} on average over the length L in the seabed.",
                          text::short_number(run.over_strength(r.H)), text::stress_words(run.strength));
   return words;
 }
@@ -128,9 +129,9 @@ bool draw_lateral_curves(const run_folder::RunFolder& folder, const LateralRun& 
       fmt::format("set key bottom right\nset xlabel 'displacement u ({})'\nset ylabel 'lateral load H ({})'\n", length.name, force.name);
   script += "plot 'lateral.dat' using 1:3 with lines lw 0.5 lc rgb push notitle, \\\n     'lateral_mean.dat' using 1:2 with lines lw 2.5 "
             "lc rgb push title "
-            "'at the bed', \\\n     'lateral.dat' using 2:3 with lines lw 1 dt 2 lc rgb drag title 'at the load'\nunset label 1\n";
+            "'at the seabed', \\\n     'lateral.dat' using 2:3 with lines lw 1 dt 2 lc rgb drag title 'at the load'\nunset label 1\n";
   script += soil_plot::margins({0.58, 0.97, 0.17, 0.88});
-  script += fmt::format("set xlabel 'tilt (°)'\nset ylabel 'moment at the bed M ({} m)'\n", force.name);
+  script += fmt::format("set xlabel 'tilt (°)'\nset ylabel 'moment at the seabed M ({} m)'\n", force.name);
   script += "plot 'lateral.dat' using 4:5 with lines lw 2 lc rgb push notitle\nunset multiplot\n";
   return plot::draw(folder.path(), "curves", soil_plot::panels_width, soil_plot::panels_height / 2, script);
 }
@@ -138,12 +139,12 @@ bool draw_lateral_curves(const run_folder::RunFolder& folder, const LateralRun& 
 std::vector<std::string> draw_lateral_figures(const LateralRuns& runs, const std::string& name, const std::filesystem::path& folder)
 {
   const auto [length, force] = units_of(runs);
-  plot::Figure load{"Lateral load over the displacement at the bed",
-                    fmt::format("u at the bed ({})", length.name),
+  plot::Figure load{"Lateral load over the displacement at the seabed",
+                    fmt::format("u at the seabed ({})", length.name),
                     fmt::format("H ({})", force.name),
                     {},
                     plot::from_zero};
-  plot::Figure moment{"Moment at the bed over the tilt", "tilt (°)", fmt::format("M ({} m)", force.name), {}, plot::from_zero};
+  plot::Figure moment{"Moment at the seabed over the tilt", "tilt (°)", fmt::format("M ({} m)", force.name), {}, plot::from_zero};
   for (const LateralRun& run : runs) {
     if (run.empty()) continue;
     const std::string style = plot::curve_style(run.number, run.number);

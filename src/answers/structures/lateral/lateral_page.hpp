@@ -12,7 +12,7 @@ std::string lateral_words(const LateralRun& run);
 /// The key results of the runs that are loaded sideways as HTML tables, whose names begin with `id`; "" where there is none.
 std::string lateral_key_results(const LateralRuns& runs, const std::string& id);
 
-/// curves.png: H over u at the bed and at the load, and M over the tilt. False, with a warning, where it could not be drawn.
+/// curves.png: H over u at the seabed and at the load, and M over the tilt. False, with a warning, where it could not be drawn.
 bool draw_lateral_curves(const run_folder::RunFolder& folder, const LateralRun& run);
 
 /// The same of all runs over one another, as SVG and PNG in two pictures. Gives their names.

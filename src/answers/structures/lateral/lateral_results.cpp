@@ -15,7 +15,7 @@ constexpr Real reached = 1e-3;  // of D: a stage that ends at a displacement may
 template <auto Number>
 constexpr base::Access<LateralRun> at_end = [](const LateralRun& run) { return run.results().*Number; };
 
-/// A run at a displacement at the bed.
+/// A run at a displacement at the seabed.
 struct AtDisplacement {
   const LateralRun& run;
   Real u;  ///< m
@@ -25,28 +25,30 @@ using enum base::AnswerUnit;
 using run_folder::QuantityKind;
 
 constexpr base::Answer<AtDisplacement> travel_answers[] = {
-    {"lateral_H_at_u", force, "lateral load; u is the displacement at the bed", [](const AtDisplacement& at) { return at.run.H_at(at.u); }},
+    {"lateral_H_at_u", force, "lateral load; u is the displacement at the seabed",
+     [](const AtDisplacement& at) { return at.run.H_at(at.u); }},
 };
 
 using Row = base::Answer<LateralRun>;
 constexpr Row lateral_answers[] = {
     Row{"lateral_H_max", force, "largest lateral load", at_end<&LateralResults::max_H>}.headed({"largest H", "kN", 1e3}),
-    Row{"u_at_lateral_H_max", length, "displacement at the bed there", at_end<&LateralResults::u_at_max>}.headed({"at u", "mm", 1e-3}),
+    Row{"u_at_lateral_H_max", length, "displacement at the seabed there", at_end<&LateralResults::u_at_max>}.headed({"at u", "mm", 1e-3}),
     Row{"lateral_H_end", force, "lateral load at the end", at_end<&LateralResults::H>}.headed({"H", "kN", 1e3}),
-    Row{"lateral_M_end", moment, "its moment about the axis at the bed", at_end<&LateralResults::M>}.headed({"M at the bed", "kN m", 1e3}),
-    Row{"lateral_u_end", length, "displacement at the bed at the end", at_end<&LateralResults::u>, QuantityKind::prescribed}.headed(
-        {"u at the bed", "mm", 1e-3}),
+    Row{"lateral_M_end", moment, "its moment about the axis at the seabed", at_end<&LateralResults::M>}.headed(
+        {"M at the seabed", "kN m", 1e3}),
+    Row{"lateral_u_end", length, "displacement at the seabed at the end", at_end<&LateralResults::u>, QuantityKind::prescribed}.headed(
+        {"u at the seabed", "mm", 1e-3}),
     Row{"lateral_u_load_end", length, "displacement at the height of the load at the end", at_end<&LateralResults::u_load>,
         QuantityKind::prescribed}
         .headed({"u at the load", "mm", 1e-3}),
     Row{"lateral_tilt_end", angle, "tilt at the end", at_end<&LateralResults::tilt>}.headed({"tilt", "°", degree}),
-    Row{"lateral_height_end", length, "height above the bed at which the load acts", at_end<&LateralResults::height>,
+    Row{"lateral_height_end", length, "height above the seabed at which the load acts", at_end<&LateralResults::height>,
         QuantityKind::prescribed}
-        .headed({"load above the bed", "m"}),
-    Row{"lateral_pivot_end", length, "depth below the bed of the pivot, the point of the axis that did not move",
+        .headed({"load above the seabed", "m"}),
+    Row{"lateral_pivot_end", length, "depth below the seabed of the pivot, the point of the axis that did not move",
         at_end<&LateralResults::pivot>}
-        .headed({"pivot below the bed", "m"}),
-    Row{"lateral_H_end_over_DLsu", base::AnswerUnit::ratio, "lateral load at the end over D, length in the bed and mean strength",
+        .headed({"pivot below the seabed", "m"}),
+    Row{"lateral_H_end_over_DLsu", base::AnswerUnit::ratio, "lateral load at the end over D, length in the seabed and mean strength",
         [](const LateralRun& run) { return run.over_strength(run.results().H); }, QuantityKind::ratio}
         .headed({"H/(s<sub>u</sub> D L)"}),
 };
@@ -77,7 +79,7 @@ std::string lateral_table(const LateralRuns& runs, const std::string& id)
   base::AnswerTable table({id, "Lateral load: at the end"}, 3, lateral_answers);
   const auto number = [](Real value) { return text::HtmlCell{text::table_number(value), true}; };
   for (const LateralRun& run : runs) table.add(run.record.name, run.record, "", {number(run.width), number(run.path.length)});
-  return table.html({{"run"}, {"D, m", true}, {"L in the bed, m", true}});
+  return table.html({{"run"}, {"D, m", true}, {"L in the seabed, m", true}});
 }
 
 std::vector<std::string> lateral_names()

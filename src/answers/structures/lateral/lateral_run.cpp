@@ -98,7 +98,7 @@ LateralPath lateral_path(const record::RunRecord& run)
   path.point_height = point_height_of(run.settings, axes) - bed;
   for (const Index row : rows) {
     const Real tilt = (angle[row] - angle[first]).dot(about), height = above_bed(row);
-    // Across the axis and about its point at the bed: the force of the load, and its moment.
+    // Across the axis and about its point at the seabed: the force of the load, and its moment.
     const Real across = -F[row].dot(along) + F[row].dot(up) * std::tan(tilt), moment = -M[row].dot(about) + height * across;
     path.u.push_back((d[row] - d[first]).dot(along) - above_bed(first) * std::sin(tilt));
     path.tilt.push_back(tilt);

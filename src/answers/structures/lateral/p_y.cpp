@@ -22,7 +22,7 @@ int slices_of(const LateralRun& run)
 
 /// A slice of the shaft by row of the path: displacement of its axis at its middle along the load (m), resistance per metre (N/m).
 struct SliceRows {
-  Real z;  ///< m below the bed
+  Real z;  ///< m below the seabed
   std::vector<Real> y, p;
 };
 
@@ -75,13 +75,11 @@ base::Chart py_chart(const LateralRun& run)
 {
   base::Chart chart{"p_y", {"displacement of the axis at that depth", "y", "m"}, {"resistance", "p", "N/m"}};
   const std::vector<SliceRows> slices = slice_rows(run);
-  std::string depths;
   for (std::size_t k = 0; k < slices.size(); k += step_of(slices.size())) {
     chart.curves.push_back(
         base::travelled({text::length_words(slices[k].z), run.path.rows, slices[k].y, slices[k].p, {}, run.path.u}, run.half()));
-    depths += (depths.empty() ? "" : ", ") + chart.curves.back().name;
   }
-  chart.title = "p-y curves " + depths + " below the bed";
+  chart.title = "p-y curves by depth below the seabed";
   return chart;
 }
 
@@ -97,7 +95,7 @@ std::string py_csv(const LateralRun& run)
 std::string py_table(const LateralRun& run, const std::string& id)
 {
   text::HtmlTable table(id, fmt::format("{}: resistance p per metre of depth at the end", run.record.name));
-  table.columns({{"depth below the bed, m"}, {"y, mm", true}, {"p, kN/m", true}, {"p/(s<sub>u</sub> D)", true}});
+  table.columns({{"depth below the seabed, m"}, {"y, mm", true}, {"p, kN/m", true}, {"p/(s<sub>u</sub> D)", true}});
   const auto number = [](Real value) { return text::HtmlCell{text::table_number(value), true}; };
   for (const PyCurve& curve : py_curves(run))
     table.row({{text::table_number(curve.z)},

@@ -6,10 +6,10 @@
 
 namespace berm::lateral {
 
-/// How the soil resists a shaft at a depth, freed from noise, at equal steps of the displacement at the bed: of one of its depth slices (rigid.NAME.depth_slices).
+/// How the soil resists a shaft at a depth, freed from noise, at equal steps of the displacement at the seabed: of one of its depth slices (rigid.NAME.depth_slices).
 struct PyCurve {
-  Real z;               ///< m below the bed: the middle of the slice
-  std::vector<Real> u;  ///< m, displacement at the bed
+  Real z;               ///< m below the seabed: the middle of the slice
+  std::vector<Real> u;  ///< m, displacement at the seabed
   std::vector<Real> y;  ///< m, displacement of the axis at z along the load
   std::vector<Real> p;  ///< N/m, resistance along the load per metre of depth; negative where the soil pushes the shaft on
 };
@@ -20,7 +20,7 @@ std::vector<PyCurve> py_curves(const LateralRun& run);
 /// The same by row of the run's loaded stages as a chart of the page, eight depths at most; without curves where there are none.
 base::Chart py_chart(const LateralRun& run);
 
-/// py.csv: z_m, u_at_bed_m (the displacement at the bed), y_m and p_N_m, a row for each point; "" without curves.
+/// py.csv: z_m, u_at_bed_m (the displacement at the seabed), y_m and p_N_m, a row for each point; "" without curves.
 std::string py_csv(const LateralRun& run);
 
 /// The curves at the end by depth as an HTML table; "" without curves.

@@ -25,13 +25,13 @@ LateralRuns lateral_runs(const base::Runs& runs)
   return all;
 }
 
-/// Of a body that nothing pushes: H, w and V over the displacement at the bed, all along x.
+/// Of a body that nothing pushes: H, w and V over the displacement at the seabed, all along x.
 base::Charts load_charts(const LateralRun& run)
 {
   if (run.empty()) return {};
   const LateralPath& path = run.path;
   const Real direction = path.direction < 0 ? -1 : 1;
-  const base::Chart::Axis u{"displacement at the bed", "u", "m"}, w{"embedment", "w", "m"}, V{"vertical reaction", "V", "N"};
+  const base::Chart::Axis u{"displacement at the seabed", "u", "m"}, w{"embedment", "w", "m"}, V{"vertical reaction", "V", "N"};
   base::Charts charts{{"V_w", w, V}, {"H_u", u, {"horizontal reaction along x", "H", "N"}}, {"w_u", u, w}, {"V_u", u, V}};
   for (std::size_t k = 1; k < charts.size(); ++k) {
     base::Curve curve{"load", path.rows, plot::scaled(path.u, direction), {}, {}, path.u, 0, direction};
@@ -41,12 +41,12 @@ base::Charts load_charts(const LateralRun& run)
   return charts;
 }
 
-/// That at the bed, as in the answer; before the load 0, after it what it came to.
+/// That at the seabed, as in the answer; before the load 0, after it what it came to.
 std::optional<base::PointTravel> point_at_the_bed(Run run)
 {
   const LateralPath path = lateral_path(run);
   if (path.empty() || path.direction == 0) return {};
-  base::PointTravel travel{"displacement at the bed", std::vector<Real>(run.history.stage.size(), 0)};
+  base::PointTravel travel{"displacement at the seabed", std::vector<Real>(run.history.stage.size(), 0)};
   for (std::size_t k = 0; k < path.rows.size(); ++k) std::fill(travel.u.begin() + path.rows[k], travel.u.end(), path.direction * path.u[k]);
   return travel;
 }
@@ -58,8 +58,9 @@ base::Reading load_of(const penetration::Penetrometer& how)
           .answers = [](Run run, const std::vector<Real>&) { return lateral_quantities(LateralRun(run)); },
           .names = [](const settings::Case&) { return lateral_names(); },
           .notes = [](Run run) -> std::string {
-            return run.quantity("lateral_H_end_over_DLsu") == nullptr ? ""
-                                                                      : "lateral_H_end: over D, the length in the bed and the mean s_u\n";
+            return run.quantity("lateral_H_end_over_DLsu") == nullptr
+                       ? ""
+                       : "lateral_H_end: over D, the length in the seabed and the mean s_u\n";
           },
           .write_files =
               [](const run_folder::RunFolder& folder, Run run) {

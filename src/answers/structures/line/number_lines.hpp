@@ -24,7 +24,7 @@ struct NumberLines {
     Real value = nan;
     const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (fault != std::errc{} || end != word.data() + word.size())
-      refuse(fmt::format("{} is no number", input::in_quotes(std::string(word))));
+      refuse(fmt::format("{} is not a number", input::in_quotes(std::string(word))));
     return value;
   }
 };

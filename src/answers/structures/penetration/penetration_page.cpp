@@ -304,11 +304,11 @@ std::string penetration_key_results(const PenetrationRuns& runs, const base::Dis
   const std::string title = fmt::format("Resistance over the depth of the {}", how.level);
   std::string html = plot::svg_of(depth_log(known, title));
   const Real half = known.front().half() / known.front().body.width;
-  const char* what = known.front().body.disk ? "V over its largest section"
-                     : known.front().knows_shaft()
-                         ? "V over the area, without the force on sides parallel to the axis: f is that force over the shaft in the soil, "
-                           "its mean friction"
-                         : "all of V over the area: friction on the sides of the body is included";
+  const char* what = known.front().body.disk       ? "V divided by the area of its largest section"
+                     : known.front().knows_shaft() ? "V divided by the area, without the force on sides parallel to the axis: f is that "
+                                                     "force divided by the area of the shaft in the soil, "
+                                                     "its mean friction"
+                                                   : "all of V divided by the area: friction on the sides of the body is included";
   html += fmt::format("<p class=\"quiet\">{} is {}.{}</p>\n", how.resistance.html, what,
                       half > 0 ? fmt::format(" Thin: rows of the history; thick, and in the tables: mean over ±{:.2g} D of travel.", half)
                                : "");

@@ -154,9 +154,10 @@ std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& r
 base::Headline penetration_headline(const PenetrationRun& run)
 {
   const std::string q = run.how.resistance.plain, N = run.symbol() == nullptr ? "" : run.symbol()->plain;
+  const char* N_html = run.symbol() == nullptr ? "" : run.symbol()->html;
   const base::HeadlineNumber depth{"z_end", fmt::format("Depth of the {}", run.how.level)};
-  const base::Headline factor{{N + "_end", fmt::format("{} at the end", N)}};
-  base::Headline others{{q + "_end", fmt::format("Resistance {} at the end", q)}};
+  const base::Headline factor{{N + "_end", fmt::format("{} at the end", N_html)}};
+  base::Headline others{{q + "_end", fmt::format("Resistance {} at the end", run.how.resistance.html)}};
   if (run.last().friction > 0) others.push_back({"f_shaft_end", "Mean shaft friction"});
   const bool asks_depth = std::isfinite(run.force_limit());
   base::Headline numbers = asks_depth ? base::Headline{depth} : factor;

@@ -51,7 +51,7 @@ base::Headline headline(const record::RunRecord& record, const base::DisplayUnit
   if (const std::vector<AxialGain> gains = axial_gains(record); !gains.empty()) {
     const std::string& stage = gains.back().stage;
     numbers = {{"U_of_" + stage, "Degree of consolidation"},
-               {"axial_gain_of_" + stage, "Axial resistance divided by that before"},
+               {"axial_gain_of_" + stage, "Axial set-up factor"},
                {"axial_friction_of_" + stage, "Axial resistance"}};
   }
   for (const base::HeadlineNumber& number : driven::headline(run)) numbers.push_back(number);

@@ -21,7 +21,7 @@ std::string in_unit(Real value, const text::NamedUnit& unit)
 std::string value_words(const record::RunRecord& run, const run_folder::Quantity& q)
 {
   const Real size = std::abs(q.value);
-  if (q.unit == "N/m" || q.unit == "N") return in_unit(q.value, text::unit_of_forces(size, run.settings.force_dimension()));
+  if (q.unit == "N/m" || q.unit == "N") return in_unit(q.value, text::unit_of_forces(size, q.unit == "N" ? 3 : 2));
   if (q.unit == "N m")
     return in_unit(q.value, size < 1e3   ? text::NamedUnit{1, "N m"}
                             : size < 1e6 ? text::NamedUnit{1e3, "kN m"}
@@ -56,8 +56,8 @@ std::string headline_of(const record::RunRecord& run, const base::DisplayUnits& 
   std::string items;
   for (const base::HeadlineNumber& number : structures::structure_of(run.settings).headline(run, shown)) {
     const run_folder::Quantity& q = *run.quantity(number.quantity);
-    items += fmt::format("<div><dt>{}</dt><dd class=\"number\">{}</dd>{}{}</div>\n", text::html_text(number.label), value_words(run, q),
-                         band_words(run, q), number.beside.empty() ? "" : fmt::format("<dd class=\"quiet\">{}</dd>", number.beside));
+    items += fmt::format("<div><dt>{}</dt><dd class=\"number\">{}</dd>{}{}</div>\n", number.label, value_words(run, q), band_words(run, q),
+                         number.beside.empty() ? "" : fmt::format("<dd class=\"quiet\">{}</dd>", number.beside));
   }
   return items.empty() ? "" : fmt::format("<dl class=\"headline\">\n{}</dl>\n", items);
 }

@@ -81,7 +81,7 @@ TEST(Lateral, u_of_the_page_is_that_at_the_bed_as_in_the_answer)
     const record::RunRecord run = pile(sign);
     const std::optional<base::PointTravel> point = structures::structure_of(run.settings).point_travel(run);
     ASSERT_TRUE(point);
-    EXPECT_EQ(point->words, "displacement at the bed");
+    EXPECT_EQ(point->words, "displacement at the seabed");
     ASSERT_EQ(point->u.size(), run.history.stage.size());
     EXPECT_EQ(point->u.front(), 0) << "before the load";
     EXPECT_NEAR(point->u.back(), sign * pivot * std::sin(0.04), 1e-9);

@@ -11,7 +11,7 @@ namespace {
 constexpr int slices = 4;
 constexpr Real pivot = 5, depth = 8, k = 2e6;  // m, m, N/m2
 
-/// A pile of 2 m, 8 m in the bed, that turns about a point 5 m below it along `sign` x in soil with p = k y.
+/// A pile of 2 m, 8 m in the seabed, that turns about a point 5 m below it along `sign` x in soil with p = k y.
 record::RunRecord pile(Real sign = 1)
 {
   MadePush made;
@@ -66,7 +66,7 @@ TEST(PyCurves, stand_in_a_file_and_a_table)
   const std::string csv = py_csv(LateralRun(run));
   EXPECT_EQ(csv.substr(0, csv.find('\n')), "z_m,u_at_bed_m,y_m,p_N_m");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 4 * 21);
-  EXPECT_NE(py_table(LateralRun(run), "pile-p-y").find("depth below the bed"), std::string::npos);
+  EXPECT_NE(py_table(LateralRun(run), "pile-p-y").find("depth below the seabed"), std::string::npos);
 }
 
 TEST(PyCurves, are_none_without_slices)
@@ -81,12 +81,12 @@ TEST(PyCurves, are_a_chart_of_the_page_by_row)
 {
   const record::RunRecord run = pile();
   const base::Charts charts = structures::structure_of(run.settings).charts(run);
-  ASSERT_EQ(charts.size(), 5u) << "H, w and V over the displacement at the bed, and no push";
+  ASSERT_EQ(charts.size(), 5u) << "H, w and V over the displacement at the seabed, and no push";
   EXPECT_TRUE(curves_in(charts, "V_w").empty());
   EXPECT_NEAR(curves_in(charts, "H_u").front().x.back(), pivot * std::sin(0.04), 1e-6);
   const base::Chart& chart = charts.back();
   EXPECT_EQ(chart.id, "p_y");
-  EXPECT_EQ(chart.title, "p-y curves 1 m, 3 m, 5 m, 7 m below the bed");
+  EXPECT_EQ(chart.title, "p-y curves by depth below the seabed");
   EXPECT_EQ(chart.x.symbol, "y");
   EXPECT_EQ(chart.y.unit, "N/m");
   ASSERT_EQ(chart.curves.size(), 4u);

@@ -45,7 +45,7 @@ TEST_F(BedsOfSlices, that_are_damaged_are_refused_with_file_and_line)
   expect_refused("frame,slice,x_m,rise_m_at_1_m,rise_m_at_0_m\n", "berms.csv:1: the columns do not ascend");
   expect_refused(head + "3,0,0,0\n", "berms.csv:2: 4 fields, and the head has 5");
   expect_refused(head + "3,1,4,0,0\n", "berms.csv:2: the frame is neither");
-  expect_refused(head + "3,0,0,0,high\n", "berms.csv:2: \"high\" is no number");
+  expect_refused(head + "3,0,0,0,high\n", "berms.csv:2: \"high\" is not a number");
   expect_refused(head + "3,0,0,0,inf\n", "berms.csv:2: a rise is not finite");
   expect_refused(head + first_frame + "5,0,0,0,0\n", "berms.csv:4: the frame is neither");
   expect_refused(head + first_frame + "4,0,0,0,0\n4,2,8,0,0\n", "berms.csv:5: the slice does not follow");

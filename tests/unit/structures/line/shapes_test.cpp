@@ -42,7 +42,7 @@ TEST_F(Shapes, that_are_damaged_are_refused_with_file_and_line)
 {
   EXPECT_NE(refusal("x,y\n").find("line.csv:1: the head of a file of shapes is frame,time_s"), std::string::npos);
   EXPECT_NE(refusal(shape_head + two_nodes + "1,2,cool,0,0.3\n").find("line.csv:4: 5 fields, and the head has 11"), std::string::npos);
-  EXPECT_NE(refusal(shape_head + "0,1.5,heat,0,zero,0,0,1,2,0,0\n").find("line.csv:2: \"zero\" is no number"), std::string::npos);
+  EXPECT_NE(refusal(shape_head + "0,1.5,heat,0,zero,0,0,1,2,0,0\n").find("line.csv:2: \"zero\" is not a number"), std::string::npos);
   EXPECT_LT(refusal(shape_head + "0,1.5,heat,0," + std::string(5000, 'a') + ",0,0,1,2,0,0\n").size(), 300u)
       << "a message does not repeat a word of thousands of letters";
   EXPECT_NE(refusal(shape_head + "0,1.5,heat,0,nan,0,0,1,2,0,0\n").find("line.csv:2: y_m is not finite"), std::string::npos);
