@@ -33,7 +33,7 @@ namespace berm::simulation {
 namespace {
 
 constexpr Real max_shaking = 0.15, max_mass = 0.01, max_contact_work = 0.01, max_stopped = 0.01;  // above them a warning
-constexpr Real max_beyond_force = 0.05;                                                           // of a limit of force, likewise
+constexpr Real max_beyond_force = 0.02;                                                           // of a limit of force, likewise
 
 constexpr BigIndex steps_between_looks = 16;  // at all particles
 constexpr Real at_rest_in_period = 1e-3;      // of the displacement of failure: what soil at rest may drift by in a period

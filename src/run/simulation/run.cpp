@@ -217,7 +217,7 @@ void Run<Method>::archive_progress(Archive& k)
 template <class Method>
 std::string Run<Method>::command_to_lengthen() const
 {
-  if constexpr (std::is_same_v<Method, FemMethod>)
+  if constexpr (FiniteElements<Method>)
     return "";
   else
     return model().main_rigid == none || !problem::not_to_lengthen(model()).empty()
