@@ -60,7 +60,6 @@ const WrongGeometry in_space[] = {
     {"moment_per_metre", "stage.drag.drive.rotation_x.moment=4 N m/m", {"rotation_x.moment", "wrong dimension"}},
     {"rotation_of_the_plane", "stage.drag.drive.rotation.velocity=1", {"rotation", "is not a degree of freedom in space"}},
     {"direction_that_is_none", "support.base.fixed=[\"w\"]", {"support.base.fixed", "\"w\" is not a direction (allowed: x, y, z)"}},
-    {"finite_elements", "method=fem", {"method", "need geometry = \"plane_strain\" or \"axisymmetric\""}},
     {"width_of_nothing", "mesh.width=0 m", {"mesh.width", "must be more than 0 m"}},
     {"plane_of_symmetry_across_gravity", "symmetry=[\"y\"]", {"symmetry", "not an axis with a plane of symmetry", "allowed: x, z"}},
     {"misspelt_key_of_space", "mesh.near_fornt=0.1 m", {"mesh.near_fornt", "near_front"}},
