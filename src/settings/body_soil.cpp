@@ -208,7 +208,9 @@ material::Material BodySoil::at(const std::string& region, Real depth) const
 material::Material BodySoil::at(const std::string& region, const SoilPlace& place) const
 {
   if (fields.empty()) return at(region, place.depth);
-  const material::Material there = at_depth(materials[material_index_at(region, place)], place.depth, vertical_stress(region, place));
+  const material::Material& own_law = materials[material_index_at(region, place)];
+  const bool by_history = shansep(own_law) != nullptr;  // alone takes the stress, a sum along the vertical
+  const material::Material there = at_depth(own_law, place.depth, by_history ? vertical_stress(region, place) : 0);
   const Index number = material_index_at(region, place.depth);
   std::vector<Real> own = local_values(there);
   for (const SoilField& field : fields) {

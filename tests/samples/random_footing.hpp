@@ -54,4 +54,24 @@ until.embedment = "20 mm"
 )";
 };
 
+/// On sand of 32 degrees, one property of which varies: `field` is its random_field.
+inline RandomFooting footing_on_random_sand(const std::string& field)
+{
+  return {R"([material.sand]
+law = "mohr_coulomb"
+density = "900 kg/m^3"
+inertia_density = "1900 kg/m^3"
+young_modulus = "10 MPa"
+poisson_ratio = 0.3
+cohesion = "1 kPa"
+friction_angle = "32 deg"
+dilation_angle = "20 deg"
+[body.soil]
+material = "sand"
+regions = ["near", "bed"]
+k0 = 0.5
+)" + field,
+          "friction_angle = \"20 deg\"\n"};
+}
+
 }  // namespace berm

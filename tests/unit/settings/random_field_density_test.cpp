@@ -10,26 +10,13 @@
 namespace berm::settings::this_file {
 namespace {
 
-const RandomFooting footing{R"([material.sand]
-law = "mohr_coulomb"
-density = "900 kg/m^3"
-inertia_density = "1900 kg/m^3"
-young_modulus = "10 MPa"
-poisson_ratio = 0.3
-cohesion = "1 kPa"
-friction_angle = "32 deg"
-[random_field.gamma]
+const RandomFooting footing = footing_on_random_sand(R"([random_field.gamma]
 material = "sand"
 property = "density"
 coefficient_of_variation = 0.1
 correlation_length_x = "1 m"
 correlation_length_depth = "0.5 m"
-[body.soil]
-material = "sand"
-regions = ["near", "bed"]
-k0 = 0.5
-)",
-                            "friction_angle = \"20 deg\"\n"};
+)");
 
 Case footing_with(std::vector<std::string> overrides = {})
 {
